@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/algebra/rational.hpp"
+
+#include <arf.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace pn {
+
+Rational Rational::exactly(double x) {
+  if (!std::isfinite(x)) throw std::domain_error("a number is not finite");
+  int exponent = 0;
+  const auto mantissa = static_cast<long>(std::ldexp(std::frexp(x, &exponent), 53));
+  Rational result(mantissa);
+  const int shift = exponent - 53;
+  if (shift >= 0) {
+    fmpq_mul_2exp(result.value_, result.value_, static_cast<ulong>(shift));
+  } else {
+    fmpq_div_2exp(result.value_, result.value_, static_cast<ulong>(-shift));
+  }
+  return result;
+}
+
+double Rational::to_double() const {
+  arf_t quotient;
+  arf_init(quotient);
+  arf_fmpz_div_fmpz(quotient, fmpq_numref(value_), fmpq_denref(value_), 53, ARF_RND_NEAR);
+  const double result = arf_get_d(quotient, ARF_RND_NEAR);
+  arf_clear(quotient);
+  return result;
+}
+
+Rational& Rational::operator/=(const Rational& other) {
+  if (other.is_zero()) throw std::domain_error("division by zero");
+  fmpq_div(value_, value_, other.value_);
+  return *this;
+}
+
+}  // namespace pn

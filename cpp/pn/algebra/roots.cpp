@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/algebra/roots.hpp"
+
+#include <acb_poly.h>
+#include <arb_fmpz_poly.h>
+#include <flint/fmpz_poly.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <optional>
+
+#include "pn/algebra/bernstein.hpp"
+
+namespace pn {
+namespace {
+
+/// A vector of complex numbers for FLINT's functions.
+class AcbVector {
+ public:
+  explicit AcbVector(slong size) : data_(_acb_vec_init(size)), size_(size) {}
+  AcbVector(const AcbVector&) = delete;
+  AcbVector& operator=(const AcbVector&) = delete;
+  ~AcbVector() { _acb_vec_clear(data_, size_); }
+  acb_ptr data() { return data_; }
+  acb_ptr operator[](slong i) { return data_ + i; }
+
+ private:
+  acb_ptr data_;
+  slong size_;
+};
+
+class AcbPolynomial {
+ public:
+  AcbPolynomial(const RationalPolynomial& p, slong precision) {
+    acb_poly_init(value_);
+    acb_poly_set_fmpq_poly(value_, p.flint(), precision);
+  }
+  AcbPolynomial(const AcbPolynomial&) = delete;
+  AcbPolynomial& operator=(const AcbPolynomial&) = delete;
+  ~AcbPolynomial() { acb_poly_clear(value_); }
+  const acb_poly_struct* get() const { return value_; }
+
+ private:
+  acb_poly_t value_;
+};
+
+/// Simultaneous iteration (Durand and Kerner) in doubles: starting values only, nothing is claimed.
+std::vector<std::complex<double>> approximate_roots(const RationalPolynomial& p) {
+  const int n = p.degree();
+  const Rational lead = p.coefficient(n);
+  std::vector<double> monic;
+  double bound = 0;
+  for (int i = 0; i <= n; ++i) {
+    monic.push_back((p.coefficient(i) / lead).to_double());
+    if (i < n) bound = std::max(bound, std::pow(std::abs(monic.back()), 1.0 / (n - i)));
+  }
+  std::vector<std::complex<double>> z;
+  for (int i = 0; i < n; ++i) z.push_back(std::polar(bound, (2 * M_PI * i + 0.7) / n));
+  constexpr int kMostIterations = 100;
+  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+    double largest_step = 0;
+    for (int i = 0; i < n; ++i) {
+      std::complex<double> value = 1, others = 1;
+      for (int j = n - 1; j >= 0; --j) value = value * z[i] + monic[j];
+      for (int j = 0; j < n; ++j) {
+        if (j != i) others *= z[i] - z[j];
+      }
+      const std::complex<double> step = value / others;
+      if (!std::isfinite(std::abs(step))) return z;
+      z[i] -= step;
+      largest_step = std::max(largest_step, std::abs(step) / std::abs(z[i]));
+    }
+    if (largest_step < 1e-12) break;
+  }
+  return z;
+}
+
+/// The n isolated roots of this multiplicity, sorted into real ones and pairs.
+RootSet sorted_out(AcbVector& roots, slong n, int multiplicity, long precision) {
+  RootSet set;
+  for (slong i = 0; i < n; ++i) {
+    ComplexBall root;
+    acb_set(root.acb(), roots[i]);
+    root.set_precision(precision);
+    if (arb_is_zero(acb_imagref(roots[i]))) {
+      set.real.push_back({root.real(), multiplicity});
+    } else if (arb_is_positive(acb_imagref(roots[i]))) {
+      set.pairs.push_back({std::move(root), multiplicity});
+    }
+  }
+  return set;
+}
+
+/// The roots of p if double-precision starting values lead to n disjoint inclusions.
+std::optional<RootSet> isolated_from_approximations(const RationalPolynomial& p, long precision) {
+  const slong n = p.degree();
+  const auto start = approximate_roots(p);
+  AcbVector initial(n), roots(n);
+  for (slong i = 0; i < n; ++i) {
+    const auto z = start[static_cast<std::size_t>(i)];
+    if (!std::isfinite(z.real()) || !std::isfinite(z.imag())) return std::nullopt;
+    acb_set_d_d(initial[i], z.real(), z.imag());
+  }
+  const AcbPolynomial polynomial(p, precision);
+  constexpr slong kRefinements = 6;  // quadratic convergence from 40 bits reaches any working precision
+  if (acb_poly_find_roots(roots.data(), polynomial.get(), initial.data(), kRefinements, precision) <
+          n ||
+      !acb_poly_validate_real_roots(roots.data(), polynomial.get(), precision)) {
+    return std::nullopt;
+  }
+  for (slong i = 0; i < n; ++i) {
+    if (arb_contains_zero(acb_imagref(roots[i]))) arb_zero(acb_imagref(roots[i]));
+  }
+  return sorted_out(roots, n, 1, precision);
+}
+
+RootSet isolated_squarefree(const SquarefreeFactor& factor, long precision) {
+  const slong n = factor.factor.degree();
+  fmpz_poly_t integral;
+  fmpz_poly_init(integral);
+  fmpq_poly_get_numerator(integral, factor.factor.flint());
+  AcbVector roots(n);
+  arb_fmpz_poly_complex_roots(roots.data(), integral, 0, precision);
+  fmpz_poly_clear(integral);
+  return sorted_out(roots, n, factor.multiplicity, precision);
+}
+
+RootSet united(const std::vector<RootSet>& sets) {
+  RootSet all;
+  for (const RootSet& set : sets) {
+    all.real.insert(all.real.end(), set.real.begin(), set.real.end());
+    all.pairs.insert(all.pairs.end(), set.pairs.begin(), set.pairs.end());
+  }
+  return all;
+}
+
+RootSet isolated_by_factors(const RationalPolynomial& p, long precision) {
+  std::vector<RootSet> sets;
+  for (const SquarefreeFactor& factor : squarefree_factorization(p)) {
+    sets.push_back(isolated_squarefree(factor, precision));
+  }
+  return united(sets);
+}
+
+/// +1, -1 for a root certainly above, below x; 0 when its ball contains x.
+int side_of(const RealBall& root, long x) {
+  const RealBall difference = root - RealBall(x);
+  return difference.is_positive() ? 1 : difference.is_negative() ? -1 : 0;
+}
+
+}  // namespace
+
+RootSet isolate_roots(const RationalPolynomial& p, long precision) {
+  if (p.degree() < 1) return {};
+  std::optional<RootSet> simple = isolated_from_approximations(p, precision);
+  RootSet roots = simple ? std::move(*simple) : isolated_by_factors(p, precision);
+  std::sort(roots.real.begin(), roots.real.end(), [](const RealRoot& a, const RealRoot& b) {
+    return (b.value - a.value).is_positive();
+  });
+  return roots;
+}
+
+std::vector<RealRoot> roots_in_unit_interval(const RationalPolynomial& p) {
+  std::vector<RealRoot> inside;
+  RationalPolynomial rest = p;
+  for (const long end : {0L, 1L}) {
+    const RationalPolynomial without = rest.without_root(Rational(end));
+    const int multiplicity = rest.degree() - without.degree();
+    if (multiplicity > 0) inside.push_back({RealBall(end), multiplicity});
+    rest = without;
+  }
+  // The remaining roots differ from 0 and 1, so some precision separates them from both.
+  for (long precision = 128;; precision *= 2) {
+    const RootSet roots = isolate_roots(rest, precision);
+    const bool separated = std::all_of(roots.real.begin(), roots.real.end(), [](const RealRoot& r) {
+      return side_of(r.value, 0) != 0 && side_of(r.value, 1) != 0;
+    });
+    if (!separated) continue;
+    for (const RealRoot& root : roots.real) {
+      if (side_of(root.value, 0) > 0 && side_of(root.value, 1) < 0) inside.push_back(root);
+    }
+    return inside;
+  }
+}
+
+bool is_positive_on_unit_interval(const RationalPolynomial& p) {
+  const auto bernstein = to_bernstein(coefficients(p, std::max(p.degree(), 0)));
+  const auto positive = [](const Rational& b) { return b.sign() > 0; };
+  if (std::all_of(bernstein.begin(), bernstein.end(), positive)) return true;
+  if (!positive(bernstein.front()) || !positive(bernstein.back())) return false;
+  return roots_in_unit_interval(p).empty();
+}
+
+}  // namespace pn

@@ -1,0 +1,616 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/bezier/parameter_lines.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "pn/algebra/bernstein.hpp"
+#include "pn/geometry_error.hpp"
+#include "pn/isotropic/seam.hpp"
+
+namespace pn {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector3d;
+
+/// Weights that vary by more than this within the chain are evened out by halving segments: twice the
+/// ratio 0.01 that the exported faces keep.
+constexpr double kLeastWeightRatio = 0.02;
+/// A segment is halved at most so often; then positive weights are taken as they are.
+constexpr int kMostHalvings = 6;
+
+template <class T>
+using Matrix = std::array<std::array<T, 2>, 2>;
+
+template <class T>
+Matrix<T> operator*(const Matrix<T>& a, const Matrix<T>& b) {
+  Matrix<T> c;
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j];
+  }
+  return c;
+}
+
+template <class T>
+Matrix<T> operator+(const Matrix<T>& a, const Matrix<T>& b) {
+  Matrix<T> c;
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) c[i][j] = a[i][j] + b[i][j];
+  }
+  return c;
+}
+
+template <class T>
+Matrix<T> scaled(const Matrix<T>& a, const T& factor) {
+  Matrix<T> c;
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) c[i][j] = a[i][j] * factor;
+  }
+  return c;
+}
+
+template <class T>
+Matrix<T> inverse(const Matrix<T>& a) {
+  const T inverse_determinant = T(1.0) / (a[0][0] * a[1][1] - a[0][1] * a[1][0]);
+  return scaled(Matrix<T>{{{a[1][1], -a[0][1]}, {-a[1][0], a[0][0]}}}, inverse_determinant);
+}
+
+// The real type of a segment's numbers and its complex companion.
+template <class T>
+Matrix<ComplexOf<T>> complexified(const Matrix<T>& a) {
+  return {{{ComplexOf<T>(a[0][0]), ComplexOf<T>(a[0][1])},
+           {ComplexOf<T>(a[1][0]), ComplexOf<T>(a[1][1])}}};
+}
+
+template <class T>
+Matrix<T> real_part(const Matrix<ComplexOf<T>>& a) {
+  using spinor::re;
+  return {{{re(a[0][0]), re(a[0][1])}, {re(a[1][0]), re(a[1][1])}}};
+}
+
+double midpoint(double x) { return x; }
+double midpoint(const RealBall& x) { return x.midpoint(); }
+
+template <class T>
+Matrix2d midpoint(const Matrix<T>& a) {
+  Matrix2d result;
+  result << midpoint(a[0][0]), midpoint(a[0][1]), midpoint(a[1][0]), midpoint(a[1][1]);
+  return result;
+}
+
+/// A free choice: entries of 24 bits, exact in every number type.
+template <class T>
+Matrix<T> short_doubles(const Matrix2d& a) {
+  const auto entry = [&](int i, int j) { return T(static_cast<double>(static_cast<float>(a(i, j)))); };
+  return {{{entry(0, 0), entry(0, 1)}, {entry(1, 0), entry(1, 1)}}};
+}
+
+/// The even factor along the chain, following the rotation-minimizing frame. Around a closed chain the
+/// frame comes back turned by its holonomy, which is given back link by link.
+class Seam {
+ public:
+  explicit Seam(const EnvelopeChain& chain, const std::vector<IsotropicHypersurface<double>>& links)
+      : links_(links), directions_(links.size()), factors_(links.size()) {
+    Vector3d axis = axis_at(links.front().curve, 0), e = any_perpendicular(axis);
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      for (int g = 0; g <= kGrid; ++g) {
+        const Vector3d next = axis_at(links[i].curve, at(g));
+        e = transported(e, axis, next);
+        axis = next;
+        directions_[i].push_back(e);
+      }
+    }
+    if (chain.closed) {
+      turn_per_link_ = angle_about(axis, e, transported(directions_[0][0], axis_at(links[0].curve, 0),
+                                                        axis)) /
+                       static_cast<double>(links.size());
+    }
+    tbb::parallel_for(std::size_t{0}, links.size(), [&](std::size_t i) {
+      factors_[i].push_back(factor(i, 0));
+      for (int g = 1; g <= kGrid; ++g) {
+        factors_[i].push_back(continued(factors_[i].back(), factor(i, at(g))));
+      }
+    });
+  }
+
+  /// The even factor of a link at t in [0, 1].
+  Matrix2d even(std::size_t link, double t) const {
+    return continued(factors_[link][nearest(t)], factor(link, t));
+  }
+
+  /// Its derivative by t.
+  Matrix2d even_derivative(std::size_t link, double t) const {
+    // A central difference: the factor only has to be near the even one.
+    constexpr double kStep = 1.0 / 1024;
+    const Matrix2d here = even(link, t);
+    const Matrix2d ahead = continued(here, factor(link, t + kStep));
+    const Matrix2d behind = continued(here, factor(link, t - kStep));
+    return (ahead - behind) / (2 * kStep);
+  }
+
+ private:
+  static constexpr int kGrid = 16;
+  static double at(int g) { return static_cast<double>(g) / kGrid; }
+  static std::size_t nearest(double t) {
+    return static_cast<std::size_t>(std::clamp(std::lround(t * kGrid), 0L, long{kGrid}));
+  }
+
+  Matrix2d factor(std::size_t link, double t) const {
+    const SphereCurveForms<double>& curve = links_[link].curve;
+    const std::size_t g = nearest(t);
+    const Vector3d axis = axis_at(curve, t);
+    const Vector3d e =
+        transported(directions_[link][g], axis_at(curve, at(static_cast<int>(g))), axis);
+    const double turn = turn_per_link_ * (static_cast<double>(link) + t);
+    const Vector3d turned = Eigen::AngleAxisd(turn, axis.normalized()) * e;
+    return even_factor(value_at(links_[link].spinor, t), circle_normal(curve, t, turned));
+  }
+
+  const std::vector<IsotropicHypersurface<double>>& links_;
+  std::vector<std::vector<Vector3d>> directions_;
+  std::vector<std::vector<Matrix2d>> factors_;
+  double turn_per_link_ = 0;
+};
+
+/// A part of a link whose lines are one polynomial F, over [begin, end] of the spine's parameter.
+struct Segment {
+  std::size_t link;
+  double begin, end;
+  Rational origin, length;  ///< in the link's parameter on [0, 1]
+  Joint joint_before;
+  int halvings = 0;
+
+  double middle() const { return (origin + length / Rational(2)).to_double(); }
+  double right() const { return (origin + length).to_double(); }
+  bool is_whole_link() const { return origin.is_zero() && length == Rational(1); }
+};
+
+/// The two halves; they meet at a double, so that the knots say exactly where.
+std::array<Segment, 2> halves(const Segment& segment, Joint joint) {
+  const Rational begin = Rational::exactly(segment.begin), end = Rational::exactly(segment.end);
+  const double middle = segment.begin + (segment.end - segment.begin) / 2;
+  const Rational part = begin == end ? Rational(1) / Rational(2)
+                                     : (Rational::exactly(middle) - begin) / (end - begin);
+  Segment left = segment, right = segment;
+  left.halvings = right.halvings = segment.halvings + 1;
+  left.end = right.begin = middle;
+  left.length = segment.length * part;
+  right.origin = segment.origin + left.length;
+  right.length = segment.length - left.length;
+  right.joint_before = joint;
+  return {left, right};
+}
+
+template <class T>
+T number(const Rational& x, long precision);
+template <>
+double number<double>(const Rational& x, long) {
+  return x.to_double();
+}
+template <>
+RealBall number<RealBall>(const Rational& x, long precision) {
+  return RealBall(x, precision);
+}
+
+template <class C, class T>
+SpinorMatrix<C> on_segment(const SpinorMatrix<C>& a, const T& origin, const T& length) {
+  SpinorMatrix<C> result;
+  result.degree = a.degree;
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      result.entry[i][j] = a.entry[i][j].on_interval(C(origin), C(length));
+    }
+  }
+  return result;
+}
+
+/// A in the segment's own parameter.
+template <class T>
+SpinorMatrix<ComplexOf<T>> restricted_spinor(const SpinorMatrix<ComplexOf<T>>& a,
+                                             const Segment& segment, long precision) {
+  if (segment.is_whole_link()) return a;
+  return on_segment(a, number<T>(segment.origin, precision), number<T>(segment.length, precision));
+}
+
+SphereCurveForms<RealBall> restricted_curve(const SphereCurveForms<RealBall>& curve,
+                                            const Segment& segment, long precision) {
+  if (segment.is_whole_link()) return curve;
+  const RealBall origin(segment.origin, precision), length(segment.length, precision);
+  SphereCurveForms<RealBall> result = curve;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result.centre[i] = curve.centre[i].on_interval(origin, length);
+    result.axis[i] = curve.axis[i].on_interval(origin, length);
+  }
+  result.radius = curve.radius.on_interval(origin, length);
+  result.denominator = curve.denominator.on_interval(origin, length);
+  result.level = curve.level.on_interval(origin, length);
+  return result;
+}
+
+/// Value and derivative of a matrix of forms at an end of a segment.
+template <class C>
+struct EndValue {
+  Matrix<C> value, derivative;
+};
+
+template <class C>
+EndValue<C> end_value(const SpinorMatrix<C>& a, int end) {
+  EndValue<C> result;
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      result.value[i][j] = a.entry[i][j](C(static_cast<double>(end)));
+      result.derivative[i][j] = a.entry[i][j].derivative()(C(static_cast<double>(end)));
+    }
+  }
+  return result;
+}
+
+/// F on a segment: power coefficients, matrix by matrix.
+template <class T>
+struct LineFactor {
+  std::vector<Matrix<T>> coefficients;
+
+  Matrix<T> value(int end) const {
+    if (end == 0) return coefficients.front();
+    Matrix<T> sum = coefficients.front();
+    for (std::size_t i = 1; i < coefficients.size(); ++i) sum = sum + coefficients[i];
+    return sum;
+  }
+  Matrix<T> derivative(int end) const {
+    if (coefficients.size() == 1) return scaled(coefficients[0], T(0.0));
+    if (end == 0) return coefficients[1];
+    Matrix<T> sum = coefficients[1];
+    for (std::size_t i = 2; i < coefficients.size(); ++i) {
+      sum = sum + scaled(coefficients[i], T(static_cast<double>(i)));
+    }
+    return sum;
+  }
+};
+
+template <class T>
+Matrix<T> combination(std::initializer_list<std::pair<double, const Matrix<T>*>> terms) {
+  Matrix<T> sum = scaled(*terms.begin()->second, T(terms.begin()->first));
+  for (auto term = terms.begin() + 1; term != terms.end(); ++term) {
+    sum = sum + scaled(*term->second, T(term->first));
+  }
+  return sum;
+}
+
+template <class T>
+LineFactor<T> line_through(const Matrix<T>& left, const Matrix<T>& right) {
+  return {{left, combination<T>({{1, &right}, {-1, &left}})}};
+}
+
+template <class T>
+LineFactor<T> parabola_through(const Matrix<T>& left, const Matrix<T>& middle,
+                               const Matrix<T>& right) {
+  return {{left, combination<T>({{-3, &left}, {4, &middle}, {-1, &right}}),
+           combination<T>({{2, &left}, {-4, &middle}, {2, &right}})}};
+}
+
+template <class T>
+LineFactor<T> hermite_cubic(const Matrix<T>& left, const Matrix<T>& left_slope, const Matrix<T>& right,
+                            const Matrix<T>& right_slope) {
+  return {{left, left_slope,
+           combination<T>({{-3, &left}, {-2, &left_slope}, {3, &right}, {-1, &right_slope}}),
+           combination<T>({{2, &left}, {1, &left_slope}, {-2, &right}, {1, &right_slope}})}};
+}
+
+/// Lemma 1: the real factor at an end of a segment with which its lines meet those of a neighbour.
+template <class T>
+struct Matched {
+  Matrix<T> value, derivative;
+};
+
+/// `own` is A at the joint, `neighbour` the finished A F of the other side there, `stretch` the length
+/// of the own segment over the neighbour's; `near` picks one of the two signs.
+template <class T>
+Matched<T> matched(const EndValue<ComplexOf<T>>& own, const EndValue<ComplexOf<T>>& neighbour,
+                   const T& stretch, const Matrix2d& near) {
+  using C = ComplexOf<T>;
+  using spinor::size;
+  const Matrix<C> own_inverse = inverse(own.value);
+  const Matrix<C> ratio = own_inverse * neighbour.value;
+  C largest = ratio[0][0];
+  for (const auto& row : ratio) {
+    for (const C& entry : row) {
+      if (size(entry) > size(largest)) largest = entry;
+    }
+  }
+  C phase = conj(largest) / spinor::root(largest * conj(largest));
+  if ((near.inverse() * midpoint(real_part<T>(scaled(ratio, phase)))).trace() < 0) phase = -phase;
+  Matched<T> result;
+  result.value = real_part<T>(scaled(ratio, phase));
+  const Matrix<C> wanted = scaled(neighbour.derivative, phase * C(stretch));
+  const Matrix<C> drift = own.derivative * complexified<T>(result.value);
+  result.derivative = real_part<T>(own_inverse * (wanted + scaled(drift, C(-1.0))));
+  return result;
+}
+
+/// What F must satisfy on each segment and how F is found, in doubles or in balls.
+template <class T>
+class FactorSequence {
+ public:
+  using C = ComplexOf<T>;
+
+  FactorSequence(const std::vector<Segment>& segments, bool closed, Lines lines, const Seam& seam,
+                 const std::vector<SpinorMatrix<C>>& spinors, const std::vector<int>& room,
+                 long precision)
+      : segments_(segments),
+        closed_(closed),
+        lines_(lines),
+        seam_(seam),
+        room_(room),
+        precision_(precision) {
+    left_.resize(segments.size());
+    right_.resize(segments.size());
+    tbb::parallel_for(std::size_t{0}, segments.size(), [&](std::size_t i) {
+      left_[i] = end_value(spinors[i], 0);
+      right_[i] = end_value(spinors[i], 1);
+    });
+  }
+
+  std::vector<LineFactor<T>> factors() {
+    for (std::size_t i = 0; i < segments_.size(); ++i) factors_.push_back(factor(i));
+    return std::move(factors_);
+  }
+
+ private:
+  LineFactor<T> factor(std::size_t i) {
+    const Segment& segment = segments_[i];
+    const bool closes = closed_ && i + 1 == segments_.size();
+    const bool smooth_left = segment.joint_before == Joint::kSmooth && i > 0;
+    const bool smooth_right = closes && segments_.front().joint_before == Joint::kSmooth;
+    const Matrix2d even_left = seam_.even(segment.link, segment.origin.to_double());
+
+    Matched<T> left = i > 0 ? matched_to(i, left_[i], finished(i - 1, 1), i - 1, even_left)
+                            : Matched<T>{short_doubles<T>(even_left), even_slope(segment, 0)};
+    if (!smooth_left) left.derivative = even_slope(segment, 0);
+    const int degree = std::min(smooth_left || smooth_right ? 3 : 2, room_[i]);
+    if (degree == 0 || (lines_ == Lines::kLowestDegree && !closes)) return {{left.value}};
+
+    Matched<T> right{short_doubles<T>(even_at(segment, segment.right())), even_slope(segment, 1)};
+    if (closes) {
+      const LineFactor<T> first = factors_.empty() ? LineFactor<T>{{left.value, left.derivative}}
+                                                   : factors_.front();
+      right = matched_to(i, right_[i], finished_with(left_[0], first, 0), 0,
+                         even_at(segment, segment.right()));
+    }
+    if (degree == 1 || lines_ == Lines::kLowestDegree) return line_through(left.value, right.value);
+    if (degree == 2) {
+      return parabola_through(left.value, short_doubles<T>(even_at(segment, segment.middle())),
+                              right.value);
+    }
+    return hermite_cubic(left.value, left.derivative, right.value,
+                         closes && !smooth_right ? even_slope(segment, 1) : right.derivative);
+  }
+
+  Matrix2d even_at(const Segment& segment, double t) const { return seam_.even(segment.link, t); }
+
+  Matrix<T> even_slope(const Segment& segment, int end) const {
+    const double t = end == 0 ? segment.origin.to_double() : segment.right();
+    return short_doubles<T>(seam_.even_derivative(segment.link, t) * segment.length.to_double());
+  }
+
+  static EndValue<C> finished_with(const EndValue<C>& a, const LineFactor<T>& factor, int end) {
+    const Matrix<C> f = complexified<T>(factor.value(end));
+    const Matrix<C> slope = complexified<T>(factor.derivative(end));
+    return {a.value * f, a.derivative * f + a.value * slope};
+  }
+
+  EndValue<C> finished(std::size_t i, int end) const {
+    return finished_with(end == 0 ? left_[i] : right_[i], factors_[i], end);
+  }
+
+  Matched<T> matched_to(std::size_t own, const EndValue<C>& own_end, const EndValue<C>& neighbour_end,
+                        std::size_t neighbour, const Matrix2d& near) const {
+    return matched<T>(own_end, neighbour_end, stretch(own, neighbour), near);
+  }
+
+  /// The length of one segment over that of another, as the knots have it.
+  T stretch(std::size_t own, std::size_t neighbour) const {
+    const auto length = [&](std::size_t i) {
+      return Rational::exactly(segments_[i].end) - Rational::exactly(segments_[i].begin);
+    };
+    const Rational a = length(own), b = length(neighbour);
+    if (a.is_zero() || b.is_zero()) return T(1.0);
+    return number<T>(a / b, precision_);
+  }
+
+  const std::vector<Segment>& segments_;
+  bool closed_;
+  Lines lines_;
+  const Seam& seam_;
+  const std::vector<int>& room_;
+  long precision_;
+  std::vector<EndValue<C>> left_, right_;
+  std::vector<LineFactor<T>> factors_;
+};
+
+/// A F with both columns at the same formal degree.
+template <class T>
+SpinorMatrix<ComplexOf<T>> lined(const SpinorMatrix<ComplexOf<T>>& a, const LineFactor<T>& factor) {
+  using C = ComplexOf<T>;
+  const int lines_degree = static_cast<int>(factor.coefficients.size()) - 1;
+  SpinorMatrix<C> b;
+  b.degree = {a.degree[0] + lines_degree, a.degree[0] + lines_degree};
+  for (int j = 0; j < 2; ++j) {
+    std::array<Form<C>, 2> column;
+    for (int k = 0; k < 2; ++k) {
+      column[k] = Form<C>::zero(lines_degree);
+      for (int i = 0; i <= lines_degree; ++i) column[k][i] = C(factor.coefficients[i][k][j]);
+    }
+    for (int i = 0; i < 2; ++i) {
+      b.entry[i][j] = a.entry[i][0] * column[0] +
+                      (a.entry[i][1] * column[1]).elevated(a.entry[i][0].degree() + lines_degree);
+    }
+  }
+  return b;
+}
+
+struct WeightRange {
+  double least, largest;
+};
+
+/// The Bernstein coefficients of w4 over a segment and the columns around the circle.
+WeightRange weight_range(const SpinorMatrix<std::complex<double>>& spinor,
+                         const std::vector<CircleColumns>& circle) {
+  const QuadraticInU<double> w4 = isotropic_vector<double>(spinor)[3];
+  std::array<std::vector<double>, 3> rows;
+  for (std::size_t q = 0; q < 3; ++q) rows[q] = to_bernstein(w4.coefficient[q].coefficients());
+  WeightRange range{INFINITY, 0};
+  for (const CircleColumns& columns : circle) {
+    for (const auto& column : columns.coefficients) {
+      const double c0 = column[0].to_double(), c1 = column[1].to_double(), c2 = column[2].to_double();
+      for (std::size_t i = 0; i < rows[0].size(); ++i) {
+        const double weight = c0 * rows[0][i] + c1 * rows[1][i] + c2 * rows[2][i];
+        range.least = std::min(range.least, weight);
+        range.largest = std::max(range.largest, weight);
+      }
+    }
+  }
+  return range;
+}
+
+/// Room for the degree of F under OpenCASCADE's limit.
+int room_for_lines(const AlongCurve& envelope) {
+  return std::max(0, (kLargestDegree - envelope.degree()) / 2);
+}
+
+class Planner {
+ public:
+  Planner(const EnvelopeChain& chain, Lines lines, long precision)
+      : chain_(chain), lines_(lines), precision_(precision) {
+    gammas_.resize(chain.links.size());
+    estimates_.resize(chain.links.size());
+    tbb::parallel_for(std::size_t{0}, chain.links.size(), [&](std::size_t i) {
+      gammas_[i] = chain.links[i].envelope.enclosure(precision);
+      estimates_[i] = midpoint(gammas_[i]);
+    });
+    seam_.emplace(chain, estimates_);
+    for (std::size_t i = 0; i < chain.links.size(); ++i) {
+      const ChainLink& link = chain.links[i];
+      segments_.push_back({i, link.begin, link.end, Rational(0), Rational(1), joint_before(i), 0});
+    }
+  }
+
+  std::vector<LinedSegment> segments() {
+    while (halve_uneven_segments()) {
+    }
+    const std::vector<SpinorMatrix<ComplexBall>> spinors = restricted_spinors<RealBall>();
+    const std::vector<LineFactor<RealBall>> factors = factors_for<RealBall>(spinors);
+    std::vector<LinedSegment> result(segments_.size());
+    tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t i) {
+      const Segment& segment = segments_[i];
+      result[i] = {segment.link,
+                   segment.begin,
+                   segment.end,
+                   segment.joint_before,
+                   restricted_curve(gammas_[segment.link].curve, segment, precision_),
+                   lined<RealBall>(spinors[i], factors[i])};
+    });
+    return result;
+  }
+
+ private:
+  int room(std::size_t link) const { return room_for_lines(chain_.links[link].envelope); }
+
+  bool has_room_for_cubics(std::size_t link) const {
+    return lines_ == Lines::kEven && room(link) >= 3;
+  }
+
+  /// A joint stays smooth only where both sides have room for cubic lines.
+  Joint joint_before(std::size_t i) const {
+    const Joint joint = chain_.links[i].joint_before;
+    const std::size_t before = (i + chain_.links.size() - 1) % chain_.links.size();
+    const bool keeps = has_room_for_cubics(i) && has_room_for_cubics(before);
+    return joint == Joint::kSmooth && !keeps ? Joint::kTangent : joint;
+  }
+
+  template <class T>
+  const SpinorMatrix<ComplexOf<T>>& spinor_of(std::size_t link) const {
+    if constexpr (std::is_same_v<T, double>) {
+      return estimates_[link].spinor;
+    } else {
+      return gammas_[link].spinor;
+    }
+  }
+
+  template <class T>
+  std::vector<SpinorMatrix<ComplexOf<T>>> restricted_spinors() const {
+    std::vector<SpinorMatrix<ComplexOf<T>>> result(segments_.size());
+    tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t i) {
+      result[i] = restricted_spinor<T>(spinor_of<T>(segments_[i].link), segments_[i], precision_);
+    });
+    return result;
+  }
+
+  template <class T>
+  std::vector<LineFactor<T>> factors_for(const std::vector<SpinorMatrix<ComplexOf<T>>>& spinors) const {
+    std::vector<int> rooms;
+    for (const Segment& segment : segments_) rooms.push_back(room(segment.link));
+    return FactorSequence<T>(segments_, chain_.closed, lines_, *seam_, spinors, rooms, precision_)
+        .factors();
+  }
+
+  /// Halves every segment with uneven weights; false when there is none (any more).
+  bool halve_uneven_segments() {
+    const auto spinors = restricted_spinors<double>();
+    const auto factors = factors_for<double>(spinors);
+    const std::vector<CircleColumns> circle = circle_columns(lines_, kMostArcs);
+    std::vector<WeightRange> ranges(segments_.size());
+    tbb::parallel_for(std::size_t{0}, ranges.size(), [&](std::size_t i) {
+      ranges[i] = weight_range(lined<double>(spinors[i], factors[i]), circle);
+    });
+    double largest = 0;
+    for (const WeightRange& range : ranges) largest = std::max(largest, range.largest);
+    const double least = lines_ == Lines::kEven ? kLeastWeightRatio * largest : 0;
+    std::vector<Segment> refined;
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      const Segment& segment = segments_[i];
+      if (ranges[i].least > least || segment.halvings == kMostHalvings) {
+        refined.push_back(segment);
+        continue;
+      }
+      const Joint joint = has_room_for_cubics(segment.link) ? Joint::kSmooth : Joint::kTangent;
+      for (const Segment& half : halves(segment, joint)) refined.push_back(half);
+    }
+    const bool changed = refined.size() > segments_.size();
+    segments_ = std::move(refined);
+    return changed;
+  }
+
+  const EnvelopeChain& chain_;
+  Lines lines_;
+  long precision_;
+  std::vector<IsotropicHypersurface<RealBall>> gammas_;
+  std::vector<IsotropicHypersurface<double>> estimates_;
+  std::optional<Seam> seam_;
+  std::vector<Segment> segments_;
+};
+
+}  // namespace
+
+std::vector<CircleColumns> circle_columns(Lines lines, int arcs) {
+  constexpr int kSpansAround = 4;  // three leave too little weight between them (whole_circle)
+  if (lines == Lines::kEven) return {whole_circle(kSpansAround)};
+  std::vector<CircleColumns> columns;
+  for (int i = 0; i < arcs; ++i) columns.push_back(circle_arc(i, arcs));
+  return columns;
+}
+
+std::vector<LinedSegment> lined_segments(const EnvelopeChain& chain, Lines lines, long precision) {
+  if (chain.closed && room_for_lines(chain.links.back().envelope) == 0) {
+    throw GeometryError(ErrorCode::kDegreeTooHigh,
+                        "The closed surface needs a degree above " + std::to_string(kLargestDegree) +
+                            " to bring its lines back to where they began; lower the degree of spine "
+                            "and radius.");
+  }
+  return Planner(chain, lines, precision).segments();
+}
+
+}  // namespace pn

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/bezier/pn_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <optional>
+
+#include "pn/algebra/roots.hpp"
+#include "pn/bezier/evaluation.hpp"
+#include "pn/geometry_error.hpp"
+
+namespace pn {
+namespace {
+
+/// Precision doubles from the least one up to this many bits; inputs that need more are refused.
+constexpr long kMostPrecision = 4096;
+
+std::size_t index_of(Lines lines) { return lines == Lines::kEven ? 0 : 1; }
+
+}  // namespace
+
+/// What all offsets have in common.
+struct PNSurface::Shared {
+  explicit Shared(EnvelopeChain envelope_chain) : chain(std::move(envelope_chain)) {}
+
+  const EnvelopeChain chain;
+  std::mutex mutex;
+  std::array<std::shared_ptr<const SectionNet>, 2> nets;
+  std::optional<OffsetRange> range;
+
+  /// The net at this precision or a higher one that was needed before.
+  std::shared_ptr<const SectionNet> net(Lines lines, long precision) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    std::shared_ptr<const SectionNet>& net = nets[index_of(lines)];
+    if (!net || net->precision() < precision) {
+      net = std::make_shared<SectionNet>(chain, lines, precision);
+    }
+    return net;
+  }
+};
+
+struct PNSurface::Section {
+  std::vector<RoundedFace> faces;
+  std::shared_ptr<const SectionNet> net;
+
+  /// The last face that begins at or before parameter t of the spine.
+  std::size_t face_at(double t) const {
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const bool begun = faces[i].surface.u_knots.front() <= t || i == 0;
+      if (begun && !net->faces()[i].stands_still) found = i;
+    }
+    return found;
+  }
+};
+
+PNSurface::PNSurface(EnvelopeChain chain)
+    : shared_(std::make_shared<Shared>(std::move(chain))),
+      sections_(std::make_shared<std::array<std::shared_ptr<const Section>, 2>>()) {}
+
+PNSurface PNSurface::offset(double d) const {
+  if (!std::isfinite(d)) {
+    throw GeometryError(ErrorCode::kNotFinite, "The distance is not a finite number.");
+  }
+  PNSurface result = *this;
+  result.sections_ = std::make_shared<std::array<std::shared_ptr<const Section>, 2>>();
+  result.distance_ = distance_ + d;
+  return result;
+}
+
+std::array<int, 2> PNSurface::degree() const {
+  int along = 0;
+  for (const ChainLink& link : shared_->chain.links) along = std::max(along, link.envelope.degree());
+  return {along, 2};
+}
+
+OffsetRange PNSurface::regular_range() const {
+  const std::lock_guard<std::mutex> lock(shared_->mutex);
+  if (!shared_->range) {
+    shared_->range = pn::regular_range(shared_->chain, default_tolerance(shared_->chain));
+  }
+  return *shared_->range;
+}
+
+std::shared_ptr<const PNSurface::Section> PNSurface::section(Lines lines) const {
+  std::shared_ptr<const Section>& slot = (*sections_)[index_of(lines)];
+  if (const auto known = std::atomic_load(&slot)) return known;
+  for (long precision = AlongCurve::kLeastPrecision; precision <= kMostPrecision; precision *= 2) {
+    try {
+      const auto net = shared_->net(lines, precision);
+      std::shared_ptr<const Section> result =
+          std::make_shared<Section>(Section{net->section(distance_), net});
+      std::atomic_store(&slot, result);
+      return result;
+    } catch (const Undecided&) {
+      continue;  // The next precision decides.
+    }
+  }
+  throw GeometryError(ErrorCode::kPrecisionExhausted,
+                      "The poles could not be proved to their last place with " +
+                          std::to_string(kMostPrecision) + " bits.");
+}
+
+std::vector<BSplineSurface> PNSurface::faces(Lines lines) const {
+  std::vector<BSplineSurface> result;
+  for (const RoundedFace& face : section(lines)->faces) result.push_back(face.surface);
+  return result;
+}
+
+Certificate PNSurface::certificate(Lines lines) const {
+  const auto rounded = section(lines);
+  Certificate certificate{0, rounded->net->precision(), shared_->chain.notes.empty(),
+                          {0, 0}, 0, shared_->chain.notes};
+  for (const RoundedFace& face : rounded->faces) {
+    certificate.deviation = std::max(certificate.deviation, face.deviation);
+    certificate.bidegree[0] = std::max(certificate.bidegree[0], face.surface.u_degree);
+    certificate.bidegree[1] = std::max(certificate.bidegree[1], face.surface.v_degree);
+    certificate.poles += face.surface.poles.size();
+  }
+  return certificate;
+}
+
+std::vector<SurfacePoint> PNSurface::evaluate(const std::vector<double>& t,
+                                              const std::vector<double>& v) const {
+  const auto rounded = section(Lines::kEven);
+  const std::vector<BSplineSurface> normals = rounded->net->normals();
+  std::vector<SurfacePoint> result;
+  result.reserve(t.size());
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const std::size_t face = rounded->face_at(t[i]);
+    result.push_back({pn::evaluate(rounded->faces[face].surface, t[i], v[i]),
+                      pn::evaluate(normals[face], t[i], v[i])});
+  }
+  return result;
+}
+
+}  // namespace pn

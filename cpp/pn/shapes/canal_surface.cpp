@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/shapes/canal_surface.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <sstream>
+
+#include "pn/algebra/roots.hpp"
+#include "pn/geometry_error.hpp"
+
+namespace pn {
+namespace {
+
+/// OpenCASCADE takes points closer than this [mm] for the same: a zone narrower than that is no face.
+constexpr double kClosableGap = 1e-7;
+/// A joint that turns by more than this [rad] is a corner whatever its size.
+constexpr double kClosableAngle = 1e-6;
+/// OpenCASCADE's largest degree of a B-spline.
+constexpr int kLargestDegree = 25;
+
+using Vector4 = std::array<Rational, 4>;
+
+/// A span of the spine with its spheres, over [begin, end] of the spine's parameter.
+struct Span {
+  SphereCurve spheres;
+  TangentDirection direction;
+  Rational begin, end;
+};
+
+std::string show(double value) {
+  std::ostringstream text;
+  text.precision(6);
+  text << value;
+  return text.str();
+}
+
+double parameter(const Span& span, double local) {
+  const double begin = span.begin.to_double();
+  return begin + local * (span.end.to_double() - begin);
+}
+
+std::string place(const Span& span, double local) {
+  const Rational t = Rational::exactly(local);
+  const double w = span.spheres.denominator(t).to_double();
+  std::string text = "(";
+  for (std::size_t i = 0; i < 3; ++i) {
+    text += show(span.spheres.centre[i](t).to_double() / w) + (i < 2 ? ", " : ")");
+  }
+  return text;
+}
+
+std::string interval(const Span& span, double begin, double end) {
+  return "parameters " + show(parameter(span, begin)) + " to " + show(parameter(span, end)) +
+         ", near point " + place(span, (begin + end) / 2);
+}
+
+/// Where a polynomial is negative on [0, 1], as local parameters; its roots there are known.
+struct Interval {
+  double begin, end;
+};
+
+std::optional<Interval> first_negative_interval(const RationalPolynomial& p,
+                                                const std::vector<RealRoot>& roots) {
+  std::vector<double> cuts = {0};
+  for (const RealRoot& root : roots) cuts.push_back(root.value.midpoint());
+  cuts.push_back(1);
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    if (cuts[i] == cuts[i + 1]) continue;
+    if (p(Rational::exactly((cuts[i] + cuts[i + 1]) / 2)).sign() < 0) {
+      return Interval{cuts[i], cuts[i + 1]};
+    }
+  }
+  return std::nullopt;
+}
+
+/// The Bezier spans of spine and law over their common breaks.
+template <std::size_t Dimension>
+RationalSpan<Dimension> restricted(const PiecewiseRational<Dimension>& function, const Rational& begin,
+                                   const Rational& end) {
+  const auto after = std::upper_bound(function.breaks.begin(), function.breaks.end(), begin);
+  const auto index = static_cast<std::size_t>(after - function.breaks.begin()) - 1;
+  const Rational& first = function.breaks[index];
+  const Rational length = function.breaks[index + 1] - first;
+  RationalSpan<Dimension> span = function.spans[index];
+  if (first == begin && function.breaks[index + 1] == end) return span;
+  const Rational origin = (begin - first) / length, part = (end - begin) / length;
+  for (RationalPolynomial& p : span.numerator) p = p.on_interval(origin, part);
+  span.denominator = span.denominator.on_interval(origin, part);
+  return span;
+}
+
+std::vector<Rational> united_breaks(const std::vector<Rational>& a, const std::vector<Rational>& b) {
+  std::vector<Rational> all;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
+  return all;
+}
+
+struct RestrictedSpan {
+  RationalSpan<3> spine;
+  RationalSpan<1> law;
+};
+
+/// Spine and law over one denominator. It is the product of both, so that it stays as smooth across
+/// spans as they are; where both have the same weights everywhere, it is their common one.
+SphereCurve sphere_curve(const RestrictedSpan& span, bool same_weights) {
+  const RationalPolynomial& q = span.spine.denominator;
+  if (same_weights) return {span.spine.numerator, span.law.numerator[0], q};
+  const RationalPolynomial& p = span.law.denominator;
+  return {{span.spine.numerator[0] * p, span.spine.numerator[1] * p, span.spine.numerator[2] * p},
+          span.law.numerator[0] * q,
+          q * p};
+}
+
+std::vector<Span> spans_of(const Curve& spine, const Law& law) {
+  const PiecewiseRational<3>& curve = spine.function();
+  const PiecewiseRational<1> radius = law.over(curve.breaks.front(), curve.breaks.back());
+  const std::vector<Rational> breaks = united_breaks(curve.breaks, radius.breaks);
+  std::vector<RestrictedSpan> parts(breaks.size() - 1);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    parts[i] = {restricted(curve, breaks[i], breaks[i + 1]),
+                restricted(radius, breaks[i], breaks[i + 1])};
+  }
+  const bool same_weights =
+      std::all_of(parts.begin(), parts.end(), [](const RestrictedSpan& part) {
+        return part.spine.denominator == part.law.denominator;
+      });
+  std::vector<Span> spans(parts.size());
+  tbb::parallel_for(std::size_t{0}, spans.size(), [&](std::size_t i) {
+    spans[i].spheres = sphere_curve(parts[i], same_weights);
+    spans[i].direction = tangent_direction(spans[i].spheres);
+    spans[i].begin = breaks[i];
+    spans[i].end = breaks[i + 1];
+  });
+  return spans;
+}
+
+void require_radius(const Span& span) {
+  const RationalPolynomial& radius = span.spheres.radius;
+  if (radius.is_zero() || is_positive_on_unit_interval(radius)) return;
+  const auto negative = first_negative_interval(radius, roots_in_unit_interval(radius));
+  if (!negative) return;
+  throw GeometryError(ErrorCode::kNegativeRadius,
+                      "The radius is negative at " +
+                          interval(span, negative->begin, negative->end) + ".");
+}
+
+void require_envelope(const Span& span) {
+  if (span.direction.content.is_zero()) {
+    throw GeometryError(ErrorCode::kZeroLength, "The spine stands still at " + interval(span, 0, 1) +
+                                                    ": this span has no length.");
+  }
+  const RationalPolynomial discriminant = span.direction.circles.discriminant();
+  if (discriminant.is_zero()) {
+    throw GeometryError(ErrorCode::kDevelopable,
+                        "The radius changes exactly as fast as the spine advances at " +
+                            interval(span, 0, 1) + ": the spheres touch in a curve only.");
+  }
+  if (is_positive_on_unit_interval(discriminant)) return;
+  const std::vector<RealRoot> roots = roots_in_unit_interval(discriminant);
+  if (const auto steep = first_negative_interval(discriminant, roots)) {
+    throw GeometryError(ErrorCode::kRadiusTooSteep,
+                        "The radius changes faster than the spine advances at " +
+                            interval(span, steep->begin, steep->end) +
+                            ": there the spheres have no envelope. Let the radius change more slowly.");
+  }
+  const double touch = roots.front().value.midpoint();
+  throw GeometryError(ErrorCode::kPinched,
+                      "The radius changes exactly as fast as the spine advances at parameter " +
+                          show(parameter(span, touch)) + ", point " + place(span, touch) +
+                          ": the envelope shrinks to a point there.");
+}
+
+void require_degree(const Span& span) {
+  const int k = span.spheres.degree(), h = span.direction.circles.degree();
+  const int degree = k + 2 * ((h + 1) / 2);
+  if (degree <= kLargestDegree) return;
+  throw GeometryError(
+      ErrorCode::kDegreeTooHigh,
+      "The exact surface at " + interval(span, 0, 1) + " would have degree " + std::to_string(degree) +
+          " along the spine; CAD systems stop at " + std::to_string(kLargestDegree) +
+          ". Lower the degree of spine and radius (now " + std::to_string(k) +
+          "), for instance by a cubic B-spline.");
+}
+
+Vector4 circle_at(const CircleFamily& circles, long t) {
+  const Rational x(t);
+  return {circles.axis[0](x), circles.axis[1](x), circles.axis[2](x), circles.level(x)};
+}
+
+Rational dot(const Vector4& a, const Vector4& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+}
+
+Rational minkowski(const Vector4& a, const Vector4& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] - a[3] * b[3];
+}
+
+/// Exactly parallel and of the same direction.
+bool is_same_circle(const Vector4& a, const Vector4& b) {
+  const Rational product = dot(a, b);
+  return product.sign() > 0 && product * product == dot(a, a) * dot(b, b);
+}
+
+/// The angle between two directions in R^4, for the closing of rounding gaps only.
+double angle(const Vector4& a, const Vector4& b) {
+  const Rational product = dot(a, b);
+  const Rational squares = dot(a, a) * dot(b, b);
+  const double sine_squared = ((squares - product * product) / squares).to_double();
+  const double sine = std::sqrt(std::max(0.0, sine_squared));
+  return product.sign() > 0 ? sine : M_PI - sine;
+}
+
+/// The sign of p just inside the end t of [0, 1].
+int sign_near(const RationalPolynomial& p, long end) {
+  const RationalPolynomial from_end =
+      end == 0 ? p : p.on_interval(Rational(1), Rational(-1));
+  for (int i = 0; i <= from_end.degree(); ++i) {
+    const int sign = from_end.coefficient(i).sign();
+    if (sign != 0) return sign;
+  }
+  return 0;
+}
+
+Span reversed_orientation(Span span) {
+  span.direction.circles = -span.direction.circles;
+  span.direction.content = -span.direction.content;
+  return span;
+}
+
+/// Spans whose circle families point forward along the first of them and continue each other: where
+/// the spine runs back in itself inside a span, the family runs on and the content changes sign.
+std::vector<Span> oriented(std::vector<Span> spans) {
+  int sign = 1;
+  for (Span& span : spans) {
+    if (sign_near(span.direction.content, 0) != sign) span = reversed_orientation(std::move(span));
+    sign = sign_near(span.direction.content, 1);
+  }
+  return spans;
+}
+
+bool has_equal_end(const RationalPolynomial& left, const RationalPolynomial& right,
+                   const Rational& left_length, const Rational& right_length) {
+  const Rational one(1), zero(0);
+  RationalPolynomial a = left, b = right;
+  Rational a_scale(1), b_scale(1);
+  for (int order = 0; order <= 2; ++order) {
+    if (a(one) * b_scale != b(zero) * a_scale) return false;
+    a = a.derivative();
+    b = b.derivative();
+    a_scale *= left_length;
+    b_scale *= right_length;
+  }
+  return true;
+}
+
+/// Centre, radius and denominator agree up to the second derivative in the spine's parameter.
+bool is_smooth(const Span& left, const Span& right) {
+  const Rational a = left.end - left.begin, b = right.end - right.begin;
+  const auto equal = [&](const RationalPolynomial& p, const RationalPolynomial& q) {
+    return has_equal_end(p, q, a, b);
+  };
+  return equal(left.spheres.denominator, right.spheres.denominator) &&
+         equal(left.spheres.radius, right.spheres.radius) &&
+         std::equal(left.spheres.centre.begin(), left.spheres.centre.end(),
+                    right.spheres.centre.begin(), equal);
+}
+
+double radius_at_start(const Span& span) {
+  const Rational zero(0);
+  return (span.spheres.radius(zero) / span.spheres.denominator(zero)).to_double();
+}
+
+/// The sphere that stands still at the start of a span.
+SphereCurve standing_sphere(const Span& span) {
+  const Rational zero(0);
+  const SphereCurve& s = span.spheres;
+  return {{s.centre[0](zero), s.centre[1](zero), s.centre[2](zero)},
+          s.radius(zero),
+          s.denominator(zero)};
+}
+
+RationalPolynomial between(const Rational& a, const Rational& b) {
+  return RationalPolynomial({a, b - a});
+}
+
+/// A factor near 1 / sqrt(D): it makes the zone's circles turn evenly. Any positive one is exact.
+Rational evening_factor(const Vector4& circle) {
+  return Rational::exactly(1 / std::sqrt(minkowski(circle, circle).to_double()));
+}
+
+/// The pencil of circles from the end of `left` to the start of `right`, around a standing sphere.
+CircleFamily turning_circles(const Vector4& left, const Vector4& right, const Span& at) {
+  const Rational a = evening_factor(left), b = evening_factor(right);
+  CircleFamily circles{{between(left[0] * a, right[0] * b), between(left[1] * a, right[1] * b),
+                        between(left[2] * a, right[2] * b)},
+                       between(left[3] * a, right[3] * b)};
+  if (!is_positive_on_unit_interval(circles.discriminant())) {
+    throw GeometryError(ErrorCode::kCornerTooSharp,
+                        "The spine or the radius turns too sharply at parameter " +
+                            show(at.begin.to_double()) + ", point " + place(at, 0) +
+                            ": the circles on both sides cannot be joined by a zone of the sphere.");
+  }
+  return circles;
+}
+
+/// Builds the chain link by link.
+class ChainBuilder {
+ public:
+  explicit ChainBuilder(std::vector<Span> spans) : spans_(std::move(spans)) {}
+
+  EnvelopeChain chain() {
+    plan();
+    std::vector<std::optional<AlongCurve>> envelopes(plans_.size());
+    tbb::parallel_for(std::size_t{0}, plans_.size(), [&](std::size_t i) {
+      envelopes[i].emplace(plans_[i].spheres, plans_[i].direction.circles);
+    });
+    for (std::size_t i = 0; i < plans_.size(); ++i) {
+      chain_.links.push_back(
+          {std::move(*envelopes[i]), plans_[i].direction.content, plans_[i].begin, plans_[i].end,
+           plans_[i].joint_before});
+    }
+    separate_substituted_links();
+    return std::move(chain_);
+  }
+
+ private:
+  struct Plan {
+    SphereCurve spheres;
+    TangentDirection direction;
+    double begin, end;
+    Joint joint_before;
+  };
+
+  void plan() {
+    chain_.closed = is_closed();
+    for (std::size_t i = 0; i < spans_.size(); ++i) {
+      Joint joint = i > 0 ? joint_between(spans_[i - 1], spans_[i]) : Joint::kNone;
+      plans_.push_back({spans_[i].spheres, spans_[i].direction, spans_[i].begin.to_double(),
+                        spans_[i].end.to_double(), joint});
+    }
+    if (chain_.closed) plans_.front().joint_before = joint_between(spans_.back(), spans_.front());
+  }
+
+  /// The joint of a span to the one before; a corner gets its zone, which comes in between.
+  Joint joint_between(const Span& left, const Span& right) {
+    const Vector4 a = circle_at(left.direction.circles, 1), b = circle_at(right.direction.circles, 0);
+    if (is_same_circle(a, b)) return is_smooth(left, right) ? Joint::kSmooth : Joint::kTangent;
+    const double turn = angle(a, b);
+    if (turn <= kClosableAngle && turn * std::abs(radius_at_start(right)) <= kClosableGap) {
+      chain_.notes.push_back("At parameter " + show(right.begin.to_double()) +
+                             " the spine turns by " + show(turn) +
+                             " rad; the joint is closed and its gap counted in the deviation.");
+      return Joint::kTangent;
+    }
+    const double t = left.end.to_double();
+    plans_.push_back({standing_sphere(right), {turning_circles(a, b, right), {}}, t, t, Joint::kTangent});
+    return Joint::kTangent;
+  }
+
+  /// The last sphere is the first one; where the direction differs, the chain closes with a corner.
+  bool is_closed() const {
+    const SphereCurve &first = spans_.front().spheres, &last = spans_.back().spheres;
+    const Rational zero(0), one(1);
+    const auto meets = [&](const RationalPolynomial& p, const RationalPolynomial& q) {
+      return p(one) * first.denominator(zero) == q(zero) * last.denominator(one);
+    };
+    return meets(last.radius, first.radius) &&
+           std::equal(last.centre.begin(), last.centre.end(), first.centre.begin(), meets);
+  }
+
+  /// Across a substituted link the parameter does not run on evenly, so its joints are only tangent.
+  void separate_substituted_links() {
+    const std::size_t count = chain_.links.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      Joint& joint = chain_.links[i].joint_before;
+      const ChainLink& before = chain_.links[(i + count - 1) % count];
+      if (joint == Joint::kSmooth &&
+          (chain_.links[i].envelope.is_substituted() || before.envelope.is_substituted())) {
+        joint = Joint::kTangent;
+      }
+    }
+  }
+
+  std::vector<Span> spans_;
+  std::vector<Plan> plans_;
+  EnvelopeChain chain_;
+};
+
+}  // namespace
+
+EnvelopeChain canal_surface(const Curve& spine, const Law& radius) {
+  std::vector<Span> spans = spans_of(spine, radius);
+  for (const Span& span : spans) {
+    require_radius(span);
+    require_envelope(span);
+    require_degree(span);
+  }
+  return ChainBuilder(oriented(std::move(spans))).chain();
+}
+
+}  // namespace pn

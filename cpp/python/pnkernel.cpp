@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The Python module pnkernel: plain NumPy arrays in and out, no OpenCASCADE, no FreeCAD.
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "pn/bezier/pn_surface.hpp"
+#include "pn/geometry_error.hpp"
+#include "pn/shapes/canal_surface.hpp"
+
+namespace py = pybind11;
+
+namespace {
+
+using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+pn::GeometryError wrong_shape(const std::string& sentence) {
+  return {pn::ErrorCode::kWrongShape, sentence};
+}
+
+std::vector<double> vector_of(const Array& array, const char* name) {
+  if (array.ndim() != 1) throw wrong_shape(std::string("The ") + name + " must be a list of numbers.");
+  return {array.data(), array.data() + array.size()};
+}
+
+std::vector<std::array<double, 3>> points_of(const Array& array) {
+  if (array.ndim() != 2 || array.shape(1) != 3) {
+    throw wrong_shape("The poles must be an array of shape (n, 3).");
+  }
+  std::vector<std::array<double, 3>> points(static_cast<std::size_t>(array.shape(0)));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) points[i][c] = array.data()[3 * i + c];
+  }
+  return points;
+}
+
+std::vector<std::array<double, 1>> values_of(const Array& array) {
+  std::vector<std::array<double, 1>> values;
+  for (const double value : vector_of(array, "coefficients")) values.push_back({value});
+  return values;
+}
+
+std::vector<double> weights_of(const std::optional<Array>& array) {
+  return array ? vector_of(*array, "weights") : std::vector<double>{};
+}
+
+Array array_of(const std::vector<std::array<double, 3>>& points, std::vector<py::ssize_t> shape) {
+  Array result(shape);
+  double* data = result.mutable_data();
+  for (const auto& point : points) data = std::copy(point.begin(), point.end(), data);
+  return result;
+}
+
+Array array_of(const std::vector<double>& values, std::vector<py::ssize_t> shape) {
+  Array result(shape);
+  std::copy(values.begin(), values.end(), result.mutable_data());
+  return result;
+}
+
+Array array_of(const std::vector<double>& values) {
+  return array_of(values, {static_cast<py::ssize_t>(values.size())});
+}
+
+pn::Lines lines_of(const std::string& name) {
+  if (name == "even") return pn::Lines::kEven;
+  if (name == "lowest_degree") return pn::Lines::kLowestDegree;
+  throw py::value_error("lines must be \"even\" or \"lowest_degree\"");
+}
+
+py::tuple evaluate(const pn::PNSurface& surface, const Array& t, const Array& u) {
+  const std::vector<double> along = vector_of(t, "parameters t"), around = vector_of(u, "parameters u");
+  if (along.size() != around.size()) throw wrong_shape("t and u must have the same length.");
+  std::vector<std::array<double, 3>> points, normals;
+  for (const pn::SurfacePoint& sample : surface.evaluate(along, around)) {
+    points.push_back(sample.point);
+    normals.push_back(sample.normal);
+  }
+  const auto count = static_cast<py::ssize_t>(along.size());
+  return py::make_tuple(array_of(points, {count, 3}), array_of(normals, {count, 3}));
+}
+
+void define_error(py::module_& module) {
+  // GeometryError is made in Python so that it can carry its code as an attribute.
+  static PyObject* type = PyErr_NewExceptionWithDoc(
+      "pnkernel.GeometryError",
+      "Input that admits no exact surface. The text is a sentence for the user; .code names the reason.",
+      PyExc_ValueError, nullptr);
+  module.attr("GeometryError") = py::handle(type);
+  py::register_exception_translator([](std::exception_ptr pointer) {
+    try {
+      if (pointer) std::rethrow_exception(pointer);
+    } catch (const pn::GeometryError& error) {
+      py::object instance = py::reinterpret_borrow<py::object>(type)(error.what());
+      instance.attr("code") = pn::to_string(error.code());
+      PyErr_SetObject(type, instance.ptr());
+    }
+  });
+}
+
+void define_inputs(py::module_& module) {
+  py::class_<pn::Curve>(module, "Curve", "A spine: a piecewise rational curve, in millimetres.")
+      .def_static(
+          "bezier",
+          [](const Array& poles, const std::optional<Array>& weights) {
+            return pn::Curve::bezier(points_of(poles), weights_of(weights));
+          },
+          py::arg("poles"), py::arg("weights") = py::none(),
+          "A Bezier curve over [0, 1]. poles: (k + 1, 3); weights: (k + 1,), positive.")
+      .def_static(
+          "bspline",
+          [](int degree, const Array& knots, const std::vector<int>& multiplicities,
+             const Array& poles, const std::optional<Array>& weights) {
+            return pn::Curve::bspline({degree, vector_of(knots, "knots"), multiplicities,
+                                       points_of(poles), weights_of(weights)});
+          },
+          py::arg("degree"), py::arg("knots"), py::arg("multiplicities"), py::arg("poles"),
+          py::arg("weights") = py::none(),
+          "A clamped B-spline: strictly increasing knots with multiplicities, the first and last "
+          "degree + 1. poles: (n, 3); weights: (n,), positive.")
+      .def_static("chain", &pn::Curve::chain, py::arg("curves"),
+                  "The curves end to end, each over an interval of its own length. Each must begin "
+                  "exactly where the one before ends.")
+      .def_property_readonly(
+          "domain",
+          [](const pn::Curve& curve) {
+            const auto& breaks = curve.function().breaks;
+            return py::make_tuple(breaks.front().to_double(), breaks.back().to_double());
+          },
+          "First and last parameter.")
+      .def_property_readonly(
+          "breaks",
+          [](const pn::Curve& curve) {
+            std::vector<double> breaks;
+            for (const pn::Rational& t : curve.function().breaks) breaks.push_back(t.to_double());
+            return array_of(breaks);
+          },
+          "The parameters at which spans begin and end.")
+      .def_property_readonly("degree", &pn::Curve::degree, "The largest degree of a span.");
+
+  py::class_<pn::Law>(module, "Law", "A radius law: a piecewise rational function, in millimetres.")
+      .def_static("constant", &pn::Law::constant, py::arg("value"),
+                  "The same radius everywhere; fits a spine of any domain.")
+      .def_static(
+          "bezier",
+          [](const Array& coefficients, const std::optional<Array>& weights) {
+            return pn::Law::bezier(vector_of(coefficients, "coefficients"), weights_of(weights));
+          },
+          py::arg("coefficients"), py::arg("weights") = py::none(),
+          "A Bezier function over [0, 1]. coefficients: (k + 1,).")
+      .def_static(
+          "bspline",
+          [](int degree, const Array& knots, const std::vector<int>& multiplicities,
+             const Array& coefficients, const std::optional<Array>& weights) {
+            return pn::Law::bspline({degree, vector_of(knots, "knots"), multiplicities,
+                                     values_of(coefficients), weights_of(weights)});
+          },
+          py::arg("degree"), py::arg("knots"), py::arg("multiplicities"), py::arg("coefficients"),
+          py::arg("weights") = py::none(), "A clamped B-spline function, like Curve.bspline.");
+}
+
+void define_outputs(py::module_& module) {
+  using Surface = pn::BSplineSurface;
+  const auto count = [](std::size_t n) { return static_cast<py::ssize_t>(n); };
+  py::class_<Surface>(module, "BSplineSurface",
+                      "A face: a clamped rational B-spline surface. u runs along the spine, v around "
+                      "it; S_u x S_v points along the normal.")
+      .def_readonly("u_degree", &Surface::u_degree)
+      .def_readonly("v_degree", &Surface::v_degree)
+      .def_readonly("u_multiplicities", &Surface::u_multiplicities)
+      .def_readonly("v_multiplicities", &Surface::v_multiplicities)
+      .def_property_readonly("u_knots", [](const Surface& s) { return array_of(s.u_knots); })
+      .def_property_readonly("v_knots", [](const Surface& s) { return array_of(s.v_knots); })
+      .def_property_readonly(
+          "poles",
+          [count](const Surface& s) {
+            return array_of(s.poles, {count(s.u_count()), count(s.v_count()), 3});
+          },
+          "(nu, nv, 3), millimetres.")
+      .def_property_readonly(
+          "weights",
+          [count](const Surface& s) {
+            return array_of(s.weights, {count(s.u_count()), count(s.v_count())});
+          },
+          "(nu, nv), positive.")
+      .def_property_readonly(
+          "trims", [](const Surface&) { return py::list(); },
+          "Closed loops of curves in (u, v) that bound the face; empty when it is the whole surface.");
+
+  py::class_<pn::Certificate>(module, "Certificate", "What is proved of the exported faces.")
+      .def_readonly("deviation", &pn::Certificate::deviation,
+                    "Proven bound on the distance of the faces to the true envelope, in mm.")
+      .def_readonly("precision_bits", &pn::Certificate::precision_bits)
+      .def_readonly("exact", &pn::Certificate::exact,
+                    "Nothing of the input was fitted or closed up.")
+      .def_readonly("bidegree", &pn::Certificate::bidegree)
+      .def_readonly("poles", &pn::Certificate::poles)
+      .def_readonly("notes", &pn::Certificate::notes);
+}
+
+void define_surface(py::module_& module) {
+  using Release = py::call_guard<py::gil_scoped_release>;
+  py::class_<pn::PNSurface>(module, "PNSurface", "An exact surface with rational unit normals.")
+      .def("offset", &pn::PNSurface::offset, py::arg("distance"),
+           "The surface at distance + d, in mm, on the side of the normal for d > 0. Cheap.")
+      .def_property_readonly("distance", &pn::PNSurface::distance)
+      .def_property_readonly("degree", &pn::PNSurface::degree,
+                             "(degree along, degree around) of what the algebra delivers.")
+      .def("evaluate", &evaluate, py::arg("t"), py::arg("u"),
+           "Points and unit normals, each (n, 3), at parameters t (n,) of the spine and u (n,) in "
+           "[0, 4] around it.")
+      .def_property_readonly(
+          "regular_range",
+          [](const pn::PNSurface& surface) {
+            const pn::OffsetRange range = [&] {
+              const py::gil_scoped_release release;
+              return surface.regular_range();
+            }();
+            return py::make_tuple(range.lower, range.upper);
+          },
+          "Certified interval of distances, counted from distance zero, without a singular point; "
+          "empty when the first number is not less than the second.")
+      .def(
+          "bsplines",
+          [](const pn::PNSurface& surface, const std::string& lines) {
+            const pn::Lines choice = lines_of(lines);
+            const py::gil_scoped_release release;
+            return surface.faces(choice);
+          },
+          py::arg("lines") = "even",
+          "The faces: \"even\" gives smooth faces with even parameter lines, \"lowest_degree\" a face "
+          "for every arc.")
+      .def_property_readonly(
+          "certificate",
+          [](const pn::PNSurface& surface) { return surface.certificate(pn::Lines::kEven); },
+          "The certificate of the even faces.", Release());
+
+  module.def(
+      "canal_surface",
+      [](const pn::Curve& spine, const pn::Law& radius) {
+        return pn::PNSurface(pn::canal_surface(spine, radius));
+      },
+      py::arg("spine"), py::arg("radius"), Release(),
+      "The envelope of spheres of radius r(t) along the spine m(t): x = m + r n with n.m' + r' = 0. "
+      "Its normal points away from the spine. Raises GeometryError.");
+}
+
+}  // namespace
+
+PYBIND11_MODULE(pnkernel, module) {
+  module.doc() = "Exact offset surfaces with rational unit normals. Millimetres, NumPy arrays.";
+  define_error(module);
+  define_inputs(module);
+  define_outputs(module);
+  define_surface(module);
+}
