@@ -212,7 +212,7 @@ OffsetRange regular_range(const EnvelopeChain& chain, double tolerance) {
   std::vector<FocalDistance> focal;
   for (const ChainLink& link : chain.links) {
     radii.emplace_back(link.envelope.curve());
-    if (!link.content.is_zero()) focal.emplace_back(link);
+    if (!link.stands_still()) focal.emplace_back(link);
   }
   return {-certified_minimum(radii, tolerance), certified_minimum(focal, tolerance)};
 }

@@ -173,8 +173,7 @@ struct Segment {
 std::array<Segment, 2> halves(const Segment& segment, Joint joint) {
   const Rational begin = Rational::exactly(segment.begin), end = Rational::exactly(segment.end);
   const double middle = segment.begin + (segment.end - segment.begin) / 2;
-  const Rational part = begin == end ? Rational(1) / Rational(2)
-                                     : (Rational::exactly(middle) - begin) / (end - begin);
+  const Rational part = (Rational::exactly(middle) - begin) / (end - begin);
   Segment left = segment, right = segment;
   left.halvings = right.halvings = segment.halvings + 1;
   left.end = right.begin = middle;
@@ -416,9 +415,7 @@ class FactorSequence {
     const auto length = [&](std::size_t i) {
       return Rational::exactly(segments_[i].end) - Rational::exactly(segments_[i].begin);
     };
-    const Rational a = length(own), b = length(neighbour);
-    if (a.is_zero() || b.is_zero()) return T(1.0);
-    return number<T>(a / b, precision_);
+    return number<T>(length(own) / length(neighbour), precision_);
   }
 
   const std::vector<Segment>& segments_;
@@ -494,7 +491,9 @@ class Planner {
     seam_.emplace(chain, estimates_);
     for (std::size_t i = 0; i < chain.links.size(); ++i) {
       const ChainLink& link = chain.links[i];
-      segments_.push_back({i, link.begin, link.end, Rational(0), Rational(1), joint_before(i), 0});
+      const double begin = link.stands_still() ? 0 : link.begin;
+      const double end = link.stands_still() ? 1 : link.end;
+      segments_.push_back({i, begin, end, Rational(0), Rational(1), joint_before(i), 0});
     }
   }
 
@@ -506,7 +505,7 @@ class Planner {
     std::vector<LinedSegment> result(segments_.size());
     tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t i) {
       const Segment& segment = segments_[i];
-      result[i] = {segment.link,
+      result[i] = {chain_.links[segment.link].stands_still(),
                    segment.begin,
                    segment.end,
                    segment.joint_before,
@@ -561,7 +560,7 @@ class Planner {
   bool halve_uneven_segments() {
     const auto spinors = restricted_spinors<double>();
     const auto factors = factors_for<double>(spinors);
-    const std::vector<CircleColumns> circle = circle_columns(lines_, kMostArcs);
+    const std::vector<CircleColumns> circle = circle_columns(lines_, lines_ == Lines::kEven ? kLeastArcs : kMostArcs);
     std::vector<WeightRange> ranges(segments_.size());
     tbb::parallel_for(std::size_t{0}, ranges.size(), [&](std::size_t i) {
       ranges[i] = weight_range(lined<double>(spinors[i], factors[i]), circle);
@@ -572,7 +571,7 @@ class Planner {
     std::vector<Segment> refined;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       const Segment& segment = segments_[i];
-      if (ranges[i].least > least || segment.halvings == kMostHalvings) {
+      if (ranges[i].least > least || segment.halvings == kMostHalvings || room(segment.link) == 0) {
         refined.push_back(segment);
         continue;
       }
@@ -596,8 +595,7 @@ class Planner {
 }  // namespace
 
 std::vector<CircleColumns> circle_columns(Lines lines, int arcs) {
-  constexpr int kSpansAround = 4;  // three leave too little weight between them (whole_circle)
-  if (lines == Lines::kEven) return {whole_circle(kSpansAround)};
+  if (lines == Lines::kEven) return {whole_circle(arcs)};
   std::vector<CircleColumns> columns;
   for (int i = 0; i < arcs; ++i) columns.push_back(circle_arc(i, arcs));
   return columns;

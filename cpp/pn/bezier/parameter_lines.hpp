@@ -33,15 +33,19 @@ enum class Lines {
   kLowestDegree,  ///< F is constant: the degree of the algebra, a face for every arc
 };
 
-/// Lowest degree takes as many arcs around the circle as positive weights need: 4, 8, 16 or these.
+/// Arcs around the circle: the least number, doubled up to the most until all weights are positive. With
+/// even lines 4 suffice; three would leave too little weight between them.
+inline constexpr int kLeastArcs = 4;
 inline constexpr int kMostArcs = 32;
 
-/// The faces around the circle: one closed face for even lines, `arcs` of them for lowest degree.
+/// The faces around the circle: a closed one of so many arcs for even lines, one for every arc for lowest
+/// degree.
 std::vector<CircleColumns> circle_columns(Lines lines, int arcs);
 
-/// A piece of the envelope with its lines, over the interval [begin, end] of the spine's parameter.
+/// A piece of the envelope with its lines, over the interval [begin, end] of the spine's parameter; of
+/// [0, 1] in a zone of a sphere, where the spine stands still.
 struct LinedSegment {
-  std::size_t link;
+  bool stands_still;
   double begin, end;
   Joint joint_before;
   SphereCurveForms<RealBall> curve;      ///< forms in the segment's own parameter on [0, 1]

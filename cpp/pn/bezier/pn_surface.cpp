@@ -6,15 +6,12 @@
 #include <mutex>
 #include <optional>
 
-#include "pn/algebra/roots.hpp"
+#include "pn/algebra/precision.hpp"
 #include "pn/bezier/evaluation.hpp"
 #include "pn/geometry_error.hpp"
 
 namespace pn {
 namespace {
-
-/// Precision doubles from the least one up to this many bits; inputs that need more are refused.
-constexpr long kMostPrecision = 4096;
 
 std::size_t index_of(Lines lines) { return lines == Lines::kEven ? 0 : 1; }
 
@@ -86,20 +83,12 @@ OffsetRange PNSurface::regular_range() const {
 std::shared_ptr<const PNSurface::Section> PNSurface::section(Lines lines) const {
   std::shared_ptr<const Section>& slot = (*sections_)[index_of(lines)];
   if (const auto known = std::atomic_load(&slot)) return known;
-  for (long precision = AlongCurve::kLeastPrecision; precision <= kMostPrecision; precision *= 2) {
-    try {
-      const auto net = shared_->net(lines, precision);
-      std::shared_ptr<const Section> result =
-          std::make_shared<Section>(Section{net->section(distance_), net});
-      std::atomic_store(&slot, result);
-      return result;
-    } catch (const Undecided&) {
-      continue;  // The next precision decides.
-    }
-  }
-  throw GeometryError(ErrorCode::kPrecisionExhausted,
-                      "The poles could not be proved to their last place with " +
-                          std::to_string(kMostPrecision) + " bits.");
+  const auto rounded = at_sufficient_precision([&](long precision) {
+    const auto net = shared_->net(lines, precision);
+    return std::make_shared<const Section>(Section{net->section(distance_), net});
+  });
+  std::atomic_store(&slot, rounded);
+  return rounded;
 }
 
 std::vector<BSplineSurface> PNSurface::faces(Lines lines) const {

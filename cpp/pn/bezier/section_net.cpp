@@ -17,7 +17,7 @@ namespace {
 /// The rows of a segment at a common degree: Bernstein coefficients of q00, q01, q11 in each row.
 struct SegmentRows {
   std::array<std::array<std::vector<RealBall>, 3>, 7> component;  ///< [x y z, V1 V2 V3, w][q][row]
-  bool has_positive_weight(const std::vector<CircleColumns>& circle) const;
+  bool has_no_negative_weight(const std::vector<CircleColumns>& circle) const;
 };
 
 int degree_of(const LinedSegment& segment) {
@@ -69,12 +69,12 @@ NetPole pole_of(const SegmentRows& rows, std::size_t row, const ColumnWeights& c
   return pole;
 }
 
-bool SegmentRows::has_positive_weight(const std::vector<CircleColumns>& circle) const {
+bool SegmentRows::has_no_negative_weight(const std::vector<CircleColumns>& circle) const {
   for (const CircleColumns& columns : circle) {
     for (const auto& coefficients : columns.coefficients) {
       const ColumnWeights column = in_balls(coefficients);
       for (std::size_t row = 0; row < component[6][0].size(); ++row) {
-        if (!value(component[6], row, column).is_positive()) return false;
+        if (value(component[6], row, column).is_negative()) return false;
       }
     }
   }
@@ -97,26 +97,17 @@ std::vector<Run> smooth_runs(const std::vector<LinedSegment>& segments) {
   return runs;
 }
 
-/// Knots along a run: C1, so inner ones have multiplicity degree - 1. A zone of a sphere, where the
-/// spine stands still, gets the unit interval.
-bool stands_still(const LinedSegment& segment) { return segment.begin == segment.end; }
-
+/// Knots along a run: C1, so inner ones have multiplicity degree - 1.
 BSplineSurface frame_of(const std::vector<LinedSegment>& segments, const Run& run,
                         const CircleColumns& circle) {
   BSplineSurface frame;
   frame.u_degree = run.degree;
-  if (stands_still(segments[run.first])) {
-    frame.u_knots = {0, 1};
-    frame.u_multiplicities = {run.degree + 1, run.degree + 1};
-  } else {
-    for (std::size_t i = run.first; i < run.last; ++i) {
-      frame.u_knots.push_back(segments[i].begin);
-      frame.u_multiplicities.push_back(run.degree - 1);
-    }
-    frame.u_knots.push_back(segments[run.last - 1].end);
-    frame.u_multiplicities.push_back(run.degree + 1);
-    frame.u_multiplicities.front() = run.degree + 1;
+  for (std::size_t i = run.first; i < run.last; ++i) {
+    frame.u_knots.push_back(segments[i].begin);
+    frame.u_multiplicities.push_back(i == run.first ? run.degree + 1 : run.degree - 1);
   }
+  frame.u_knots.push_back(segments[run.last - 1].end);
+  frame.u_multiplicities.push_back(run.degree + 1);
   frame.v_degree = circle.degree;
   frame.v_knots = circle.knots;
   frame.v_multiplicities = circle.multiplicities;
@@ -149,7 +140,7 @@ FaceNet face_net(const std::vector<LinedSegment>& segments, const std::vector<Se
                  const Run& run, const CircleColumns& circle) {
   FaceNet face;
   face.frame = frame_of(segments, run, circle);
-  face.stands_still = stands_still(segments[run.first]);
+  face.stands_still = segments[run.first].stands_still;
   const std::vector<ColumnWeights> columns = column_weights(circle);
   const std::vector<RowPlace> places = control_rows(run);
   const bool closed = circle.coefficients.front() == circle.coefficients.back();
@@ -160,12 +151,12 @@ FaceNet face_net(const std::vector<LinedSegment>& segments, const std::vector<Se
       pole = closed && j + 1 == columns.size()
                  ? face.poles[i * columns.size()]
                  : pole_of(rows[places[i].segment], places[i].row, columns[j]);
-      if (!pole.weight.is_positive()) {
-        throw GeometryError(ErrorCode::kWeightsNotPositive,
-                            "No patch with positive weights was found between parameters " +
-                                std::to_string(segments[run.first].begin) + " and " +
-                                std::to_string(segments[run.last - 1].end) + ".");
-      }
+      if (pole.weight.is_positive()) continue;
+      if (!pole.weight.is_negative()) throw Undecided("the sign of a weight");
+      throw GeometryError(ErrorCode::kWeightsNotPositive,
+                          "No patch with positive weights was found between parameters " +
+                              std::to_string(segments[run.first].begin) + " and " +
+                              std::to_string(segments[run.last - 1].end) + ".");
     }
   }
   return face;
@@ -196,11 +187,11 @@ void close_row(const FaceNet& first, FaceNet* face) {
             face->poles.end() - static_cast<std::ptrdiff_t>(shared.size()));
 }
 
-int arcs_with_positive_weights(const std::vector<SegmentRows>& rows) {
-  for (int arcs = 4; arcs < kMostArcs; arcs *= 2) {
-    const auto circle = circle_columns(Lines::kLowestDegree, arcs);
+int arcs_with_positive_weights(const std::vector<SegmentRows>& rows, Lines lines) {
+  for (int arcs = kLeastArcs; arcs < kMostArcs; arcs *= 2) {
+    const auto circle = circle_columns(lines, arcs);
     if (std::all_of(rows.begin(), rows.end(), [&](const SegmentRows& segment) {
-          return segment.has_positive_weight(circle);
+          return segment.has_no_negative_weight(circle);
         })) {
       return arcs;
     }
@@ -343,8 +334,8 @@ SectionNet::SectionNet(const EnvelopeChain& chain, Lines lines, long precision)
   std::vector<SegmentRows> rows(segments.size());
   tbb::parallel_for(std::size_t{0}, rows.size(),
                     [&](std::size_t i) { rows[i] = rows_of(segments[i], degrees[i]); });
-  const std::vector<CircleColumns> circle = circle_columns(
-      lines, lines == Lines::kLowestDegree ? arcs_with_positive_weights(rows) : 1);
+  const std::vector<CircleColumns> circle =
+      circle_columns(lines, arcs_with_positive_weights(rows, lines));
   faces_.resize(runs.size() * circle.size());
   tbb::parallel_for(std::size_t{0}, faces_.size(), [&](std::size_t i) {
     faces_[i] = face_net(segments, rows, runs[i / circle.size()], circle[i % circle.size()]);

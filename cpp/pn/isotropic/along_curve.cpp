@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "pn/algebra/precision.hpp"
 #include "pn/isotropic/seam.hpp"
 
 namespace pn {
@@ -52,41 +53,32 @@ AdjacentRoots adjacent_odd_roots(const RootSet& roots) {
   return adjacent;
 }
 
-/// t as a quotient of two quadratic forms in the local parameter, which runs from 0 to 1 as t does.
+RealBall positive_root(const RealBall& x) {
+  if (!x.is_positive()) throw Undecided("the distance of a real root of D");
+  return sqrt(x);
+}
+
+/// t as a quotient of quadratic forms in the local parameter, which runs from 0 to 1 as t does.
+///
+/// (s : sigma) moves on the chord between its values at t = 0 and t = 1. With both roots finite these are
+/// taken on the unit circle, (sqrt(t - r1), sqrt(r2 - t)) / sqrt(r2 - r1), so that the denominator
+/// s^2 + sigma^2 stays between 1/2 and 1; otherwise sigma = 1.
 class Substitution {
  public:
-  Substitution(const AdjacentRoots& odd, long precision) : odd_(odd) {
-    const RealBall zero = RealBall(0).at_precision(precision);
-    const RealBall one = RealBall(1).at_precision(precision);
-    start_ = sqrt(square_at(ComplexBall(zero)).real());
-    length_ = sqrt(square_at(ComplexBall(one)).real()) - start_;
-    if (!odd_.below) {
-      start_ = -start_;
-      length_ = -sqrt(square_at(ComplexBall(one)).real()) - start_;
-    }
-  }
+  Substitution(const AdjacentRoots& odd, long precision)
+      : odd_(odd), start_(at(RealBall(0).at_precision(precision))),
+        end_(at(RealBall(1).at_precision(precision))) {}
 
-  /// s^2 at t: the quantity whose roots the substitution takes.
-  ComplexBall square_at(const ComplexBall& t) const {
-    if (odd_.below && odd_.above) return (t - *odd_.below) / (ComplexBall(*odd_.above) - t);
-    return odd_.below ? t - ComplexBall(*odd_.below) : ComplexBall(*odd_.above) - t;
-  }
-
-  ComplexBall local(const ComplexBall& s) const {
-    return (s - ComplexBall(start_)) / ComplexBall(length_);
-  }
-
-  /// p(t) times the common denominator to the power `degree`, as a form of twice that degree.
+  /// p(t) times the denominator of t to the power `degree`, as a form of twice that degree.
   Form<RealBall> composed(const RationalPolynomial& p, int degree, long precision) const {
-    const Form<RealBall> s({start_, length_});
-    const Form<RealBall> square = s * s;
-    const Form<RealBall> one = Form<RealBall>::constant(RealBall(1)).elevated(2);
-    const auto scaled_sum = [&](const RealBall& a, const RealBall& b) { return one * a + square * b; };
-    const Form<RealBall> numerator = odd_.below && odd_.above ? scaled_sum(*odd_.below, *odd_.above)
-                                     : odd_.below             ? scaled_sum(*odd_.below, RealBall(1))
-                                                              : scaled_sum(*odd_.above, RealBall(-1));
-    const Form<RealBall> denominator =
-        odd_.below && odd_.above ? scaled_sum(RealBall(1), RealBall(1)) : one;
+    const Form<RealBall> s({start_.s, end_.s - start_.s});
+    const Form<RealBall> sigma({start_.sigma, end_.sigma - start_.sigma});
+    const Form<RealBall> s2 = s * s, sigma2 = sigma * sigma;
+    const bool both = odd_.below && odd_.above;
+    const Form<RealBall> numerator = both         ? sigma2 * *odd_.below + s2 * *odd_.above
+                                     : odd_.below ? sigma2 * *odd_.below + s2
+                                                  : sigma2 * *odd_.above - s2;
+    const Form<RealBall> denominator = both ? sigma2 + s2 : sigma2;
     // Horner's scheme in the quotient: after i steps the sum has i factors of either form.
     Form<RealBall> sum = Form<RealBall>::constant(RealBall(p.coefficient(degree), precision));
     Form<RealBall> power = denominator;
@@ -100,8 +92,36 @@ class Substitution {
   DoubleRoots roots(const RootSet& in_t, int formal_degree) const;
 
  private:
+  struct Place {
+    RealBall s, sigma;
+  };
+
+  Place at(const RealBall& t) const {
+    if (odd_.below && odd_.above) {
+      const RealBall scale = positive_root(*odd_.above - *odd_.below);
+      return {positive_root(t - *odd_.below) / scale, positive_root(*odd_.above - t) / scale};
+    }
+    const RealBall one(1);
+    if (odd_.below) return {positive_root(t - *odd_.below), one};
+    return {-positive_root(*odd_.above - t), one};
+  }
+
+  /// s^2 / sigma^2 at t.
+  ComplexBall square_at(const ComplexBall& t) const {
+    if (odd_.below && odd_.above) return (t - *odd_.below) / (ComplexBall(*odd_.above) - t);
+    return odd_.below ? t - ComplexBall(*odd_.below) : ComplexBall(*odd_.above) - t;
+  }
+
+  /// The local parameter of (s : 1).
+  ComplexBall local(const ComplexBall& s) const {
+    const ComplexBall rise(end_.s - start_.s), fall(end_.sigma - start_.sigma);
+    return (s * ComplexBall(start_.sigma) - ComplexBall(start_.s)) / (rise - s * fall);
+  }
+  /// The local parameter of (1 : 0), where sigma vanishes.
+  RealBall local_of_infinity() const { return start_.sigma / (start_.sigma - end_.sigma); }
+
   AdjacentRoots odd_;
-  RealBall start_, length_;
+  Place start_, end_;
 };
 
 int total_degree(const RootSet& roots) {
@@ -152,7 +172,7 @@ DoubleRoots Substitution::roots(const RootSet& in_t, int formal_degree) const {
   const int at_infinity = formal_degree - total_degree(in_t);
   if (odd_.below && odd_.above) {
     result.real.push_back({local(ComplexBall(RealBall(0))).real(), below});
-    result.infinite_copies = above;
+    result.real.push_back({local_of_infinity(), above});
     if (at_infinity > 0) {
       result.pairs.push_back(upper(local(ComplexBall(RealBall(0), RealBall(1))), at_infinity));
     }
@@ -382,9 +402,14 @@ SpinorMatrix<ComplexBall> factorize(const LocalForms& local, const RootChoice& c
 
 AlongCurve::AlongCurve(SphereCurve curve, CircleFamily circles)
     : curve_(std::move(curve)), circles_(std::move(circles)) {
-  LocalForms local = local_forms(curve_, circles_, kLeastPrecision);
+  at_sufficient_precision([&](long precision) { choose_roots(precision); });
+}
+
+void AlongCurve::choose_roots(long precision) {
+  LocalForms local = local_forms(curve_, circles_, precision);
   substituted_ = local.curve.level.degree() != circles_.degree();
   const RootChoice choice = RootChoiceSearch(local).best();
+  chosen_roots_.clear();
   for (const std::complex<double>& root :
        half_roots<std::complex<double>>(local.roots, choice, [](const ComplexBall& z) {
          return z.midpoint();
@@ -394,10 +419,11 @@ AlongCurve::AlongCurve(SphereCurve curve, CircleFamily circles)
   SpinorMatrix<ComplexBall> spinor = factorize(local, choice);
   degree_ = local.curve.denominator.degree() + 2 * spinor.degree[0];
   first_enclosure_ = {std::move(local.curve), std::move(spinor)};
+  first_precision_ = precision;
 }
 
 IsotropicHypersurface<RealBall> AlongCurve::enclosure(long precision) const {
-  if (precision == kLeastPrecision) return first_enclosure_;
+  if (precision <= first_precision_) return first_enclosure_;
   LocalForms local = local_forms(curve_, circles_, precision);
   const RootChoice choice = recognized(local.roots, chosen_roots_);
   SpinorMatrix<ComplexBall> spinor = factorize(local, choice);

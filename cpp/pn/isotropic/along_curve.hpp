@@ -42,18 +42,18 @@ class AlongCurve {
   /// The degree in the local parameter of every section, before lines are chosen.
   int degree() const { return degree_; }
 
-  /// The precision in bits that the construction starts with; it suffices for nearly all inputs.
-  static constexpr long kLeastPrecision = 128;
-
   /// Gamma in balls at this working precision. Throws Undecided when it does not suffice.
   IsotropicHypersurface<RealBall> enclosure(long precision) const;
 
  private:
+  void choose_roots(long precision);
+
   SphereCurve curve_;
   CircleFamily circles_;
   bool substituted_ = false;
   int degree_ = 0;
-  IsotropicHypersurface<RealBall> first_enclosure_;  ///< at the least precision
+  long first_precision_ = 0;                         ///< the one at which the roots were chosen
+  IsotropicHypersurface<RealBall> first_enclosure_;
   std::vector<std::complex<double>> chosen_roots_;  ///< one for every conjugate pair and copy
 };
 

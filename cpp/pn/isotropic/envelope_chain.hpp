@@ -24,8 +24,10 @@ struct ChainLink {
   AlongCurve envelope;
   /// f' = content / denominator^2 (M, -R); zero where the spine stands still.
   RationalPolynomial content;
-  double begin, end;         ///< in the spine's parameter; equal where the spine stands still
-  Joint joint_before;        ///< to the link before; of the first link, to the last one of a closed chain
+  double begin, end;   ///< in the spine's parameter; equal where the spine stands still
+  Joint joint_before;  ///< to the link before; of the first link, to the last one of a closed chain
+
+  bool stands_still() const { return content.is_zero(); }
 };
 
 struct EnvelopeChain {

@@ -149,18 +149,29 @@ class Factorization {
 
   bool is_balanced() const { return degree_[0] == degree_[1]; }
 
-  void step(const Root<C>& c) {
-    Root<C> root = c;
-    Vector<C> v = kernel(root);
-    if (is_balanced()) return step_balanced(root, v);
-    if (!is_certainly_nonzero(v[hi()]) && !root.is_real) {
-      // The conjugate root serves the same pair, and its kernel may leave the lower column.
-      root.finite = conj(*root.finite);
-      v = kernel(root);
+  /// Takes a root, or for a nonreal one its conjugate, which serves the same pair. False, with nothing
+  /// done, when it cannot be decided whether the kernel leaves the lower column.
+  bool step(const Root<C>& c) {
+    const Vector<C> v = kernel(c);
+    if (is_balanced()) {
+      step_balanced(c, v);
+      return true;
     }
-    if (is_certainly_nonzero(v[hi()])) return step_up_low_column(root, v);
-    if (!is_certainly_zero(v[hi()])) throw Undecided("the kernel at a root of D");
-    step_up_high_column(root);
+    if (is_certainly_nonzero(v[hi()])) {
+      step_up_low_column(c, v);
+      return true;
+    }
+    if (!c.is_real) {
+      const Root<C> conjugate{conj(*c.finite), false};
+      const Vector<C> other = kernel(conjugate);
+      if (is_certainly_nonzero(other[hi()])) {
+        step_up_low_column(conjugate, other);
+        return true;
+      }
+    }
+    if (!is_certainly_zero(v[hi()])) return false;
+    step_up_high_column(c);
+    return true;
   }
 
   SpinorMatrix<C> normalized() && {
@@ -298,22 +309,29 @@ class Factorization {
 /// A for the matrix H, whose entries have no common root, and the chosen half of the roots of D.
 ///
 /// In balls every decision is proved; throws Undecided when the precision does not suffice. In doubles
-/// the result is an estimate. The order of the steps only changes A by a constant real factor of u:
-/// real roots are taken while the degrees are equal, where no decision is needed.
+/// the result is an estimate. The order of the steps only changes A by a constant real factor of u, so
+/// real roots are taken while the degrees are equal, where no decision is needed, and a root that cannot
+/// be decided waits for the others.
 template <class C>
 SpinorMatrix<C> spinor_factorization(HermitianMatrix<C> h, const HalfRoots<C>& roots) {
-  std::vector<spinor::Root<C>> real, complex;
+  using Root = spinor::Root<C>;
+  std::vector<Root> real, complex;
   for (int i = 0; i < roots.infinite; ++i) real.push_back({std::nullopt, true});
   for (const C& c : roots.real) real.push_back({c, true});
   for (const C& c : roots.complex) complex.push_back({c, false});
-  std::reverse(real.begin(), real.end());
-  std::reverse(complex.begin(), complex.end());
 
   spinor::Factorization<C> factorization(std::move(h));
+  const auto take_one = [&](std::vector<Root>& from) {
+    const auto taken = std::find_if(from.begin(), from.end(),
+                                    [&](const Root& root) { return factorization.step(root); });
+    if (taken == from.end()) return false;
+    from.erase(taken);
+    return true;
+  };
   while (!real.empty() || !complex.empty()) {
-    auto& next = complex.empty() || (factorization.is_balanced() && !real.empty()) ? real : complex;
-    factorization.step(next.back());
-    next.pop_back();
+    const bool real_first = factorization.is_balanced();
+    if (take_one(real_first ? real : complex) || take_one(real_first ? complex : real)) continue;
+    throw Undecided("the kernel at a root of D");
   }
   return std::move(factorization).normalized();
 }

@@ -175,16 +175,28 @@ void require_envelope(const Span& span) {
                           ": the envelope shrinks to a point there.");
 }
 
-void require_degree(const Span& span) {
-  const int k = span.spheres.degree(), h = span.direction.circles.degree();
-  const int degree = k + 2 * ((h + 1) / 2);
+void require_degree(const Span& span, int degree, const std::string& advice) {
   if (degree <= kLargestDegree) return;
   throw GeometryError(
       ErrorCode::kDegreeTooHigh,
       "The exact surface at " + interval(span, 0, 1) + " would have degree " + std::to_string(degree) +
-          " along the spine; CAD systems stop at " + std::to_string(kLargestDegree) +
-          ". Lower the degree of spine and radius (now " + std::to_string(k) +
-          "), for instance by a cubic B-spline.");
+          " along the spine; CAD systems stop at " + std::to_string(kLargestDegree) + ". " + advice);
+}
+
+/// Refuses early what no choice of roots can save.
+void require_least_degree(const Span& span) {
+  const int k = span.spheres.degree(), h = span.direction.circles.degree();
+  require_degree(span, k + 2 * ((h + 1) / 2),
+                 "Lower the degree of spine and radius (now " + std::to_string(k) +
+                     "), for instance by a cubic B-spline.");
+}
+
+void require_reached_degree(const Span& span, const AlongCurve& envelope) {
+  require_degree(span, envelope.degree(),
+                 envelope.is_substituted()
+                     ? "The quick change of the radius doubles it: let the radius change more slowly, "
+                       "or lower the degree of spine and radius."
+                     : "Lower the degree of spine and radius, for instance by a cubic B-spline.");
 }
 
 Vector4 circle_at(const CircleFamily& circles, long t) {
@@ -320,6 +332,7 @@ class ChainBuilder {
       envelopes[i].emplace(plans_[i].spheres, plans_[i].direction.circles);
     });
     for (std::size_t i = 0; i < plans_.size(); ++i) {
+      require_reached_degree(spans_[plans_[i].span], *envelopes[i]);
       chain_.links.push_back(
           {std::move(*envelopes[i]), plans_[i].direction.content, plans_[i].begin, plans_[i].end,
            plans_[i].joint_before});
@@ -330,6 +343,7 @@ class ChainBuilder {
 
  private:
   struct Plan {
+    std::size_t span;  ///< the span itself, or the one that follows a corner
     SphereCurve spheres;
     TangentDirection direction;
     double begin, end;
@@ -339,15 +353,16 @@ class ChainBuilder {
   void plan() {
     chain_.closed = is_closed();
     for (std::size_t i = 0; i < spans_.size(); ++i) {
-      Joint joint = i > 0 ? joint_between(spans_[i - 1], spans_[i]) : Joint::kNone;
-      plans_.push_back({spans_[i].spheres, spans_[i].direction, spans_[i].begin.to_double(),
+      const Joint joint = i > 0 ? joint_between(i - 1, i) : Joint::kNone;
+      plans_.push_back({i, spans_[i].spheres, spans_[i].direction, spans_[i].begin.to_double(),
                         spans_[i].end.to_double(), joint});
     }
-    if (chain_.closed) plans_.front().joint_before = joint_between(spans_.back(), spans_.front());
+    if (chain_.closed) plans_.front().joint_before = joint_between(spans_.size() - 1, 0);
   }
 
   /// The joint of a span to the one before; a corner gets its zone, which comes in between.
-  Joint joint_between(const Span& left, const Span& right) {
+  Joint joint_between(std::size_t before, std::size_t after) {
+    const Span &left = spans_[before], &right = spans_[after];
     const Vector4 a = circle_at(left.direction.circles, 1), b = circle_at(right.direction.circles, 0);
     if (is_same_circle(a, b)) return is_smooth(left, right) ? Joint::kSmooth : Joint::kTangent;
     const double turn = angle(a, b);
@@ -358,7 +373,8 @@ class ChainBuilder {
       return Joint::kTangent;
     }
     const double t = left.end.to_double();
-    plans_.push_back({standing_sphere(right), {turning_circles(a, b, right), {}}, t, t, Joint::kTangent});
+    plans_.push_back({after, standing_sphere(right), {turning_circles(a, b, right), {}}, t, t,
+                      Joint::kTangent});
     return Joint::kTangent;
   }
 
@@ -398,7 +414,7 @@ EnvelopeChain canal_surface(const Curve& spine, const Law& radius) {
   for (const Span& span : spans) {
     require_radius(span);
     require_envelope(span);
-    require_degree(span);
+    require_least_degree(span);
   }
   return ChainBuilder(oriented(std::move(spans))).chain();
 }
