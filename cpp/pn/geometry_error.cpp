@@ -5,21 +5,36 @@ namespace pn {
 
 std::string to_string(ErrorCode code) {
   switch (code) {
-    case ErrorCode::kNotFinite: return "not_finite";
-    case ErrorCode::kWrongShape: return "wrong_shape";
-    case ErrorCode::kBadKnots: return "bad_knots";
-    case ErrorCode::kNonPositiveWeight: return "non_positive_weight";
-    case ErrorCode::kGap: return "gap";
-    case ErrorCode::kZeroLength: return "zero_length";
-    case ErrorCode::kDomainMismatch: return "domain_mismatch";
-    case ErrorCode::kNegativeRadius: return "negative_radius";
-    case ErrorCode::kRadiusTooSteep: return "radius_too_steep";
-    case ErrorCode::kDevelopable: return "developable";
-    case ErrorCode::kPinched: return "pinched";
-    case ErrorCode::kCornerTooSharp: return "corner_too_sharp";
-    case ErrorCode::kDegreeTooHigh: return "degree_too_high";
-    case ErrorCode::kWeightsNotPositive: return "weights_not_positive";
-    case ErrorCode::kPrecisionExhausted: return "precision_exhausted";
+    case ErrorCode::kNotFinite:
+      return "not_finite";
+    case ErrorCode::kWrongShape:
+      return "wrong_shape";
+    case ErrorCode::kBadKnots:
+      return "bad_knots";
+    case ErrorCode::kNonPositiveWeight:
+      return "non_positive_weight";
+    case ErrorCode::kGap:
+      return "gap";
+    case ErrorCode::kZeroLength:
+      return "zero_length";
+    case ErrorCode::kDomainMismatch:
+      return "domain_mismatch";
+    case ErrorCode::kNegativeRadius:
+      return "negative_radius";
+    case ErrorCode::kRadiusTooSteep:
+      return "radius_too_steep";
+    case ErrorCode::kDevelopable:
+      return "developable";
+    case ErrorCode::kPinched:
+      return "pinched";
+    case ErrorCode::kCornerTooSharp:
+      return "corner_too_sharp";
+    case ErrorCode::kDegreeTooHigh:
+      return "degree_too_high";
+    case ErrorCode::kWeightsNotPositive:
+      return "weights_not_positive";
+    case ErrorCode::kPrecisionExhausted:
+      return "precision_exhausted";
   }
   throw std::logic_error("an error code without a name");
 }

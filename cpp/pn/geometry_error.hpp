@@ -8,21 +8,21 @@
 namespace pn {
 
 enum class ErrorCode {
-  kNotFinite,            ///< a number is NaN or infinite
-  kWrongShape,           ///< arrays of the wrong size, too few poles, a degree below 1
-  kBadKnots,             ///< knots not increasing, multiplicities that do not fit
-  kNonPositiveWeight,    ///< a weight is zero or negative
-  kGap,                  ///< a curve or a law jumps
-  kZeroLength,           ///< a span along which nothing moves
-  kDomainMismatch,       ///< spine and radius are not defined over the same parameters
-  kNegativeRadius,       ///< the radius is negative somewhere
-  kRadiusTooSteep,       ///< |r'| > |m'| somewhere: no envelope there
-  kDevelopable,          ///< |r'| = |m'| identically: the envelope is a curve
-  kPinched,              ///< |r'| = |m'| at a parameter: the envelope shrinks to a point there
-  kCornerTooSharp,       ///< the circles on both sides of a corner cannot be joined
-  kDegreeTooHigh,        ///< the result would exceed degree 25
-  kWeightsNotPositive,   ///< no patch with positive weights was found
-  kPrecisionExhausted,   ///< something could not be proved at the highest precision
+  kNotFinite,           ///< a number is NaN or infinite
+  kWrongShape,          ///< arrays of the wrong size, too few poles, a degree below 1
+  kBadKnots,            ///< knots not increasing, multiplicities that do not fit
+  kNonPositiveWeight,   ///< a weight is zero or negative
+  kGap,                 ///< a curve or a law jumps
+  kZeroLength,          ///< a span along which nothing moves
+  kDomainMismatch,      ///< spine and radius are not defined over the same parameters
+  kNegativeRadius,      ///< the radius is negative somewhere
+  kRadiusTooSteep,      ///< |r'| > |m'| somewhere: no envelope there
+  kDevelopable,         ///< |r'| = |m'| identically: the envelope is a curve
+  kPinched,             ///< |r'| = |m'| at a parameter: the envelope shrinks to a point there
+  kCornerTooSharp,      ///< the circles on both sides of a corner cannot be joined
+  kDegreeTooHigh,       ///< the result would exceed degree 25
+  kWeightsNotPositive,  ///< no patch with positive weights was found
+  kPrecisionExhausted,  ///< something could not be proved at the highest precision
 };
 
 /// The name of a code as Python and JSON show it, such as "negative_radius".

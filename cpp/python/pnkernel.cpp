@@ -19,7 +19,8 @@ pn::GeometryError wrong_shape(const std::string& sentence) {
 }
 
 std::vector<double> vector_of(const Array& array, const char* name) {
-  if (array.ndim() != 1) throw wrong_shape(std::string("The ") + name + " must be a list of numbers.");
+  if (array.ndim() != 1)
+    throw wrong_shape(std::string("The ") + name + " must be a list of numbers.");
   return {array.data(), array.data() + array.size()};
 }
 
@@ -68,7 +69,8 @@ pn::Lines lines_of(const std::string& name) {
 }
 
 py::tuple evaluate(const pn::PNSurface& surface, const Array& t, const Array& u) {
-  const std::vector<double> along = vector_of(t, "parameters t"), around = vector_of(u, "parameters u");
+  const std::vector<double> along = vector_of(t, "parameters t"),
+                            around = vector_of(u, "parameters u");
   if (along.size() != around.size()) throw wrong_shape("t and u must have the same length.");
   std::vector<std::array<double, 3>> points, normals;
   for (const pn::SurfacePoint& sample : surface.evaluate(along, around)) {
@@ -81,10 +83,11 @@ py::tuple evaluate(const pn::PNSurface& surface, const Array& t, const Array& u)
 
 void define_error(py::module_& module) {
   // GeometryError is made in Python so that it can carry its code as an attribute.
-  static PyObject* type = PyErr_NewExceptionWithDoc(
-      "pnkernel.GeometryError",
-      "Input that admits no exact surface. The text is a sentence for the user; .code names the reason.",
-      PyExc_ValueError, nullptr);
+  static PyObject* type =
+      PyErr_NewExceptionWithDoc("pnkernel.GeometryError",
+                                "Input that admits no exact surface. The text is a sentence for "
+                                "the user; .code names the reason.",
+                                PyExc_ValueError, nullptr);
   module.attr("GeometryError") = py::handle(type);
   py::register_exception_translator([](std::exception_ptr pointer) {
     try {
@@ -161,9 +164,10 @@ void define_inputs(py::module_& module) {
 void define_outputs(py::module_& module) {
   using Surface = pn::BSplineSurface;
   const auto count = [](std::size_t n) { return static_cast<py::ssize_t>(n); };
-  py::class_<Surface>(module, "BSplineSurface",
-                      "A face: a clamped rational B-spline surface. u runs along the spine, v around "
-                      "it; S_u x S_v points along the normal.")
+  py::class_<Surface>(
+      module, "BSplineSurface",
+      "A face: a clamped rational B-spline surface. u runs along the spine, v around "
+      "it; S_u x S_v points along the normal.")
       .def_readonly("u_degree", &Surface::u_degree)
       .def_readonly("v_degree", &Surface::v_degree)
       .def_readonly("u_multiplicities", &Surface::u_multiplicities)
@@ -184,7 +188,8 @@ void define_outputs(py::module_& module) {
           "(nu, nv), positive.")
       .def_property_readonly(
           "trims", [](const Surface&) { return py::list(); },
-          "Closed loops of curves in (u, v) that bound the face; empty when it is the whole surface.");
+          "Closed loops of curves in (u, v) that bound the face; empty when it is the whole "
+          "surface.");
 
   py::class_<pn::Certificate>(module, "Certificate", "What is proved of the exported faces.")
       .def_readonly("deviation", &pn::Certificate::deviation,
@@ -227,7 +232,8 @@ void define_surface(py::module_& module) {
             return surface.faces(choice);
           },
           py::arg("lines") = "even",
-          "The faces: \"even\" gives smooth faces with even parameter lines, \"lowest_degree\" a face "
+          "The faces: \"even\" gives smooth faces with even parameter lines, \"lowest_degree\" a "
+          "face "
           "for every arc.")
       .def_property_readonly(
           "certificate",
@@ -240,7 +246,8 @@ void define_surface(py::module_& module) {
         return pn::PNSurface(pn::canal_surface(spine, radius));
       },
       py::arg("spine"), py::arg("radius"), Release(),
-      "The envelope of spheres of radius r(t) along the spine m(t): x = m + r n with n.m' + r' = 0. "
+      "The envelope of spheres of radius r(t) along the spine m(t): x = m + r n with n.m' + r' = "
+      "0. "
       "Its normal points away from the spine. Raises GeometryError.");
 }
 

@@ -57,7 +57,8 @@ std::optional<double> RealBall::rounded() const {
   if (!std::isfinite(nearest)) return std::nullopt;
   if (mag_is_zero(arb_radref(value_))) return nearest;
   if (nearest == 0) return std::nullopt;
-  // The midpoint is at most half a unit in the last place away, so the radius may be the other half.
+  // The midpoint is at most half a unit in the last place away, so the radius may be the other
+  // half.
   constexpr int kMantissaBits = 53;
   const int exponent = std::ilogb(nearest) + 1;
   const bool narrow = mag_cmp_2exp_si(arb_radref(value_), exponent - kMantissaBits - 1) <= 0;

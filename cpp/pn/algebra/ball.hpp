@@ -25,9 +25,9 @@ class RealBall {
   static constexpr long kLeastPrecision = 64;
 
   RealBall() { arb_init(value_); }
-  RealBall(long exact) : RealBall() { arb_set_si(value_, exact); }    // NOLINT: Z lies in R
-  RealBall(double exact) : RealBall() { arb_set_d(value_, exact); }   // NOLINT: so do doubles
-  RealBall(int exact) : RealBall(static_cast<long>(exact)) {}         // NOLINT
+  RealBall(long exact) : RealBall() { arb_set_si(value_, exact); }   // NOLINT: Z lies in R
+  RealBall(double exact) : RealBall() { arb_set_d(value_, exact); }  // NOLINT: so do doubles
+  RealBall(int exact) : RealBall(static_cast<long>(exact)) {}        // NOLINT
   RealBall(const Rational& x, long precision) : precision_(precision) {
     arb_init(value_);
     arb_set_fmpq(value_, x.flint(), precision);
@@ -134,8 +134,8 @@ class RealBall {
   /// The numbers of the ball nearest to and farthest from zero bound |x| by doubles.
   double magnitude_upper() const;
 
-  /// The double nearest to the midpoint when every number of the ball is within one unit in its last
-  /// place of it; nothing when the ball is too wide for that.
+  /// The double nearest to the midpoint when every number of the ball is within one unit in its
+  /// last place of it; nothing when the ball is too wide for that.
   std::optional<double> rounded() const;
 
   arb_struct* arb() { return value_; }
@@ -147,7 +147,8 @@ class RealBall {
   long precision_ = kLeastPrecision;
 };
 
-/// The non-negative square root; a ball that reaches below zero gives the roots of its other numbers.
+/// The non-negative square root; a ball that reaches below zero gives the roots of its other
+/// numbers.
 RealBall sqrt(const RealBall& x);
 RealBall abs(const RealBall& x);
 /// x 2^exponent, exactly.

@@ -13,8 +13,8 @@
 
 namespace pn {
 
-/// Bernstein coefficients of the polynomial with these power coefficients (ascending; the size fixes
-/// the degree of the basis).
+/// Bernstein coefficients of the polynomial with these power coefficients (ascending; the size
+/// fixes the degree of the basis).
 template <class T>
 std::vector<T> to_bernstein(std::vector<T> power) {
   const long degree = static_cast<long>(power.size()) - 1;

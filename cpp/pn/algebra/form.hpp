@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Forms: homogeneous polynomials in (t : s), of a fixed formal degree.
 //
-// A form of formal degree n is sum_i a_i t^i s^(n-i). Its roots are n points of the projective line,
-// so a polynomial whose leading coefficients vanish has roots at infinity instead of a lower degree.
-// The zero form of formal degree -1 has no coefficients: it is what is left when a constant that is
-// known to vanish is divided by a linear form.
+// A form of formal degree n is sum_i a_i t^i s^(n-i). Its roots are n points of the projective
+// line, so a polynomial whose leading coefficients vanish has roots at infinity instead of a lower
+// degree. The zero form of formal degree -1 has no coefficients: it is what is left when a constant
+// that is known to vanish is divided by a linear form.
 //
 // T is the coefficient type: double, std::complex<double>, RealBall, ComplexBall, Rational.
 #pragma once
@@ -40,7 +40,9 @@ class Form {
   Form() = default;
   explicit Form(std::vector<T> coefficients) : coefficients_(std::move(coefficients)) {}
   static Form constant(const T& value) { return Form(std::vector<T>{value}); }
-  static Form zero(int degree) { return Form(std::vector<T>(static_cast<std::size_t>(degree + 1))); }
+  static Form zero(int degree) {
+    return Form(std::vector<T>(static_cast<std::size_t>(degree + 1)));
+  }
 
   int degree() const { return static_cast<int>(coefficients_.size()) - 1; }
   const std::vector<T>& coefficients() const { return coefficients_; }
@@ -86,14 +88,16 @@ class Form {
     if (other.coefficients_.empty()) return *this;
     if (coefficients_.empty()) return *this = other;
     assert(degree() == other.degree());
-    for (std::size_t i = 0; i < coefficients_.size(); ++i) coefficients_[i] += other.coefficients_[i];
+    for (std::size_t i = 0; i < coefficients_.size(); ++i)
+      coefficients_[i] += other.coefficients_[i];
     return *this;
   }
   Form& operator-=(const Form& other) {
     if (other.coefficients_.empty()) return *this;
     if (coefficients_.empty()) return *this = other * T(-1.0);
     assert(degree() == other.degree());
-    for (std::size_t i = 0; i < coefficients_.size(); ++i) coefficients_[i] -= other.coefficients_[i];
+    for (std::size_t i = 0; i < coefficients_.size(); ++i)
+      coefficients_[i] -= other.coefficients_[i];
     return *this;
   }
   friend Form operator+(Form a, const Form& b) { return std::move(a += b); }

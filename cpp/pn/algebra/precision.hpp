@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The precision loop: a construction in balls is a function of the precision, run at 128 bits, then at
-// 256, 512, ... until everything it must decide is proved. A cap gives an error, not a wrong answer.
+// The precision loop: a construction in balls is a function of the precision, run at 128 bits, then
+// at 256, 512, ... until everything it must decide is proved. A cap gives an error, not a wrong
+// answer.
 #pragma once
 
 #include <string>
@@ -24,7 +25,7 @@ auto at_sufficient_precision(Construct&& construct, long bits = kLeastPrecision)
       if (bits < kMostPrecision) continue;
       throw GeometryError(ErrorCode::kPrecisionExhausted,
                           std::string("With ") + std::to_string(bits) +
-                              " bits it could not be decided: " + undecided.what() + ".");
+                              " bits it could not be decided: " + undecided.what());
     }
   }
 }

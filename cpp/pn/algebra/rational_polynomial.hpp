@@ -16,7 +16,8 @@ class RationalPolynomial {
  public:
   RationalPolynomial() { fmpq_poly_init(value_); }
   RationalPolynomial(const Rational& constant);  // NOLINT: Q lies in Q[t]
-  RationalPolynomial(long constant) : RationalPolynomial(Rational(constant)) {}  // NOLINT: so does Z
+  RationalPolynomial(long constant)
+      : RationalPolynomial(Rational(constant)) {}  // NOLINT: so does Z
   /// Coefficients in ascending order.
   explicit RationalPolynomial(const std::vector<Rational>& coefficients);
   RationalPolynomial(const RationalPolynomial& other) : RationalPolynomial() {
@@ -83,7 +84,8 @@ struct SquarefreeFactor {
   int multiplicity;
 };
 
-/// p = constant * product of factor^multiplicity: the factors are coprime, squarefree, not constant.
+/// p = constant * product of factor^multiplicity: the factors are coprime, squarefree, not
+/// constant.
 std::vector<SquarefreeFactor> squarefree_factorization(const RationalPolynomial& p);
 
 /// Coefficients 0 .. degree in ascending order; degree >= p.degree().

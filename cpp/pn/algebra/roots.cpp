@@ -103,7 +103,8 @@ std::optional<RootSet> isolated_from_approximations(const RationalPolynomial& p,
     acb_set_d_d(initial[i], z.real(), z.imag());
   }
   const AcbPolynomial polynomial(p, precision);
-  constexpr slong kRefinements = 6;  // quadratic convergence from 40 bits reaches any working precision
+  constexpr slong kRefinements =
+      6;  // quadratic convergence from 40 bits reaches any working precision
   if (acb_poly_find_roots(roots.data(), polynomial.get(), initial.data(), kRefinements, precision) <
           n ||
       !acb_poly_validate_real_roots(roots.data(), polynomial.get(), precision)) {
@@ -155,9 +156,8 @@ RootSet isolate_roots(const RationalPolynomial& p, long precision) {
   if (p.degree() < 1) return {};
   std::optional<RootSet> simple = isolated_from_approximations(p, precision);
   RootSet roots = simple ? std::move(*simple) : isolated_by_factors(p, precision);
-  std::sort(roots.real.begin(), roots.real.end(), [](const RealRoot& a, const RealRoot& b) {
-    return (b.value - a.value).is_positive();
-  });
+  std::sort(roots.real.begin(), roots.real.end(),
+            [](const RealRoot& a, const RealRoot& b) { return (b.value - a.value).is_positive(); });
   return roots;
 }
 

@@ -6,9 +6,9 @@
 // pairs and the one in the upper half plane stands for both.
 //
 // Method: approximations from simultaneous iteration are validated by an inclusion test (E. Durand,
-// I. Kerner; the test is Arb's, radius n |p / p'|). Pairwise disjoint inclusions prove at once that p
-// is squarefree. Otherwise the squarefree factors over Q are isolated one by one, by subdivision of
-// the precision until it succeeds.
+// I. Kerner; the test is Arb's, radius n |p / p'|). Pairwise disjoint inclusions prove at once that
+// p is squarefree. Otherwise the squarefree factors over Q are isolated one by one, by subdivision
+// of the precision until it succeeds.
 #pragma once
 
 #include <stdexcept>

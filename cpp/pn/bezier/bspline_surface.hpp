@@ -12,8 +12,8 @@ namespace pn {
 ///
 /// The first parameter runs along the spine (or directrix), the second around it (or across).
 /// Knots are strictly increasing, each with its multiplicity; the first and last have multiplicity
-/// degree + 1. Pole (i, j) is poles[i * v_count() + j], in millimetres; its weight, positive, has the
-/// same index.
+/// degree + 1. Pole (i, j) is poles[i * v_count() + j], in millimetres; its weight, positive, has
+/// the same index.
 struct BSplineSurface {
   int u_degree = 0;
   int v_degree = 0;

@@ -39,8 +39,9 @@ std::array<Rational, 3> weighted_sum(const Rational& x, const std::array<Rationa
 /// The Bernstein coefficients of the square of a quadratic Bezier curve.
 std::array<std::array<Rational, 3>, 5> squared(const Point& a, const Point& b, const Point& c) {
   const Rational third = Rational(1) / Rational(3), two_thirds = third + third;
-  return {product(a, a), product(a, b), weighted_sum(third, product(a, c), two_thirds, product(b, b)),
-          product(b, c), product(c, c)};
+  return {product(a, a), product(a, b),
+          weighted_sum(third, product(a, c), two_thirds, product(b, b)), product(b, c),
+          product(c, c)};
 }
 
 }  // namespace
@@ -57,7 +58,8 @@ CircleColumns whole_circle(int spans) {
                 c = control_point(j + 2, spans);
     const auto bezier = squared(midpoint(a, b), b, midpoint(b, c));
     if (j == 0) circle.coefficients.push_back(bezier[0]);
-    // A knot of multiplicity 3 has no control point of its own: C1 makes it a mean of its neighbours.
+    // A knot of multiplicity 3 has no control point of its own: C1 makes it a mean of its
+    // neighbours.
     circle.coefficients.insert(circle.coefficients.end(), {bezier[1], bezier[2], bezier[3]});
     if (j == spans - 1) circle.coefficients.push_back(bezier[4]);
   }

@@ -3,8 +3,9 @@
 //
 // The normal is quadratic in (u0, u1) = p(s), so p and -p give the same point and a closed line of
 // columns needs an antiperiodic curve, p(s + K) = -p(s). The quadratic B-spline with control points
-// c_j = (cos j pi/K, sin j pi/K) is one: C1, so that p p^T is of degree 4 and C1, closed after K spans.
-// As long as the weight is even on the circle, K = 4 keeps all weights within a factor of about 1.2.
+// c_j = (cos j pi/K, sin j pi/K) is one: C1, so that p p^T is of degree 4 and C1, closed after K
+// spans. As long as the weight is even on the circle, K = 4 keeps all weights within a factor of
+// about 1.2.
 //
 // The control points are a free choice and are rounded to short doubles; the surface stays exact.
 #pragma once

@@ -16,7 +16,8 @@ ActiveBasis active_basis(int degree, const std::vector<double>& knots,
                          const std::vector<int>& multiplicities, double parameter) {
   parameter = std::clamp(parameter, knots.front(), knots.back());
   std::vector<double> flat;
-  for (std::size_t i = 0; i < knots.size(); ++i) flat.insert(flat.end(), multiplicities[i], knots[i]);
+  for (std::size_t i = 0; i < knots.size(); ++i)
+    flat.insert(flat.end(), multiplicities[i], knots[i]);
   const auto p = static_cast<std::size_t>(degree);
   const std::size_t count = flat.size() - p - 1;
   const auto above = std::upper_bound(flat.begin() + static_cast<std::ptrdiff_t>(p),
@@ -41,7 +42,8 @@ ActiveBasis active_basis(int degree, const std::vector<double>& knots,
 }  // namespace
 
 std::array<double, 3> evaluate(const BSplineSurface& surface, double u, double v) {
-  const ActiveBasis along = active_basis(surface.u_degree, surface.u_knots, surface.u_multiplicities, u);
+  const ActiveBasis along =
+      active_basis(surface.u_degree, surface.u_knots, surface.u_multiplicities, u);
   const ActiveBasis around =
       active_basis(surface.v_degree, surface.v_knots, surface.v_multiplicities, v);
   std::array<double, 3> point = {0, 0, 0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Evaluation of B-spline surfaces by their basis functions (L. Piegl, W. Tiller, The NURBS Book, 2nd ed.
-// 1997, algorithms A2.1, A2.2 and A4.3), in doubles.
+// Evaluation of B-spline surfaces by their basis functions (L. Piegl, W. Tiller, The NURBS Book,
+// 2nd ed. 1997, algorithms A2.1, A2.2 and A4.3), in doubles.
 #pragma once
 
 #include <array>

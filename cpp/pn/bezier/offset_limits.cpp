@@ -12,7 +12,8 @@ namespace pn {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Bounds are wanted in doubles; a little more keeps the roundings of a few hundred operations away.
+/// Bounds are wanted in doubles; a little more keeps the roundings of a few hundred operations
+/// away.
 constexpr long kBits = 80;
 /// Beyond this many intervals the bound reached so far is returned: still proven, only less tight.
 constexpr int kMostIntervals = 100000;
@@ -40,19 +41,22 @@ Jet sqrt(const Jet& a) {
 /// A polynomial and its derivative in balls.
 class BallPolynomial {
  public:
-  explicit BallPolynomial(const RationalPolynomial& p) : value_(in_balls(p)), slope_(in_balls(p.derivative())) {}
+  explicit BallPolynomial(const RationalPolynomial& p)
+      : value_(in_balls(p)), slope_(in_balls(p.derivative())) {}
   Jet operator()(const RealBall& t) const { return {value_(t), slope_(t)}; }
 
  private:
   static Form<RealBall> in_balls(const RationalPolynomial& p) {
     std::vector<RealBall> result;
-    for (const Rational& c : coefficients(p, std::max(p.degree(), 0))) result.emplace_back(c, kBits);
+    for (const Rational& c : coefficients(p, std::max(p.degree(), 0)))
+      result.emplace_back(c, kBits);
     return Form<RealBall>(std::move(result));
   }
   Form<RealBall> value_, slope_;
 };
 
-/// A function on [0, 1] with a lower bound on intervals and an upper bound of its minimum at points.
+/// A function on [0, 1] with a lower bound on intervals and an upper bound of its minimum at
+/// points.
 class BoundedFunction {
  public:
   virtual ~BoundedFunction() = default;

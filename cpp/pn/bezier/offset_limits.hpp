@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Offset limits: the distances at which an envelope has no singular point.
 //
-// THEOREM. Let f = (m, -r), f' = lambda (M, -R), n.M + R = 0 and D = |M|^2 - R^2 > 0. The section at
-// distance d, x = m + rho n with rho = r + d, is singular at (t, n) exactly when
+// THEOREM. Let f = (m, -r), f' = lambda (M, -R), n.M + R = 0 and D = |M|^2 - R^2 > 0. The section
+// at distance d, x = m + rho n with rho = r + d, is singular at (t, n) exactly when
 //
 //     rho = 0     or     lambda D = rho (n.M' + R').
 //
-// Proof: n turns around the circle with n_u != 0, so rho = 0 is singular; else let b be the unit vector
-// perpendicular to n and n_u, so that M = -R n + sqrt(D) b. Differentiating n.M + R = 0 gives
-// n_t.b = -(n.M' + R') / sqrt(D), and x_t.b = lambda sqrt(D) + rho n_t.b. QED. Over the circle n.M' + R'
-// has the largest value
+// Proof: n turns around the circle with n_u != 0, so rho = 0 is singular; else let b be the unit
+// vector perpendicular to n and n_u, so that M = -R n + sqrt(D) b. Differentiating n.M + R = 0
+// gives n_t.b = -(n.M' + R') / sqrt(D), and x_t.b = lambda sqrt(D) + rho n_t.b. QED. Over the
+// circle n.M' + R' has the largest value
 //
 //     K = R' - R (M.M') / |M|^2 + sqrt(D) |M x M'| / |M|^2,
 //
-// so for lambda > 0 no distance in (-min r, min over K > 0 of lambda D / K - r) has a singular point.
-// (The focal distances are the principal radii of curvature of all offsets at once.)
+// so for lambda > 0 no distance in (-min r, min over K > 0 of lambda D / K - r) has a singular
+// point. (The focal distances are the principal radii of curvature of all offsets at once.)
 //
 // Where the spine stands still, at a corner, only rho = 0 counts: the zone lies on a sphere.
 #pragma once
@@ -28,7 +28,8 @@ struct OffsetRange {
   double lower, upper;  ///< upper may be infinite
 };
 
-/// The certified range: it lies inside the true one, and its ends are within `tolerance` [mm] of it.
+/// The certified range: it lies inside the true one, and its ends are within `tolerance` [mm] of
+/// it.
 OffsetRange regular_range(const EnvelopeChain& chain, double tolerance);
 
 /// A tolerance in proportion to the radii: 1e-9 of the largest one at a joint.

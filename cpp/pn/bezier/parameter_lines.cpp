@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/bezier/parameter_lines.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "pn/algebra/bernstein.hpp"
+#include "pn/algebra/parallel.hpp"
 #include "pn/geometry_error.hpp"
 #include "pn/isotropic/seam.hpp"
 
@@ -17,8 +16,8 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector3d;
 
-/// Weights that vary by more than this within the chain are evened out by halving segments: twice the
-/// ratio 0.01 that the exported faces keep.
+/// Weights that vary by more than this within the chain are evened out by halving segments: twice
+/// the ratio 0.01 that the exported faces keep.
 constexpr double kLeastWeightRatio = 0.02;
 /// A segment is halved at most so often; then positive weights are taken as they are.
 constexpr int kMostHalvings = 6;
@@ -72,6 +71,9 @@ Matrix<T> real_part(const Matrix<ComplexOf<T>>& a) {
   return {{{re(a[0][0]), re(a[0][1])}, {re(a[1][0]), re(a[1][1])}}};
 }
 
+bool is_zero(double x) { return x == 0; }
+bool is_zero(const RealBall& x) { return x.is_zero(); }
+
 double midpoint(double x) { return x; }
 double midpoint(const RealBall& x) { return x.midpoint(); }
 
@@ -85,12 +87,14 @@ Matrix2d midpoint(const Matrix<T>& a) {
 /// A free choice: entries of 24 bits, exact in every number type.
 template <class T>
 Matrix<T> short_doubles(const Matrix2d& a) {
-  const auto entry = [&](int i, int j) { return T(static_cast<double>(static_cast<float>(a(i, j)))); };
+  const auto entry = [&](int i, int j) {
+    return T(static_cast<double>(static_cast<float>(a(i, j))));
+  };
   return {{{entry(0, 0), entry(0, 1)}, {entry(1, 0), entry(1, 1)}}};
 }
 
-/// The even factor along the chain, following the rotation-minimizing frame. Around a closed chain the
-/// frame comes back turned by its holonomy, which is given back link by link.
+/// The even factor along the chain, following the rotation-minimizing frame. Around a closed chain
+/// the frame comes back turned by its holonomy, which is given back link by link.
 class Seam {
  public:
   explicit Seam(const EnvelopeChain& chain, const std::vector<IsotropicHypersurface<double>>& links)
@@ -105,11 +109,11 @@ class Seam {
       }
     }
     if (chain.closed) {
-      turn_per_link_ = angle_about(axis, e, transported(directions_[0][0], axis_at(links[0].curve, 0),
-                                                        axis)) /
-                       static_cast<double>(links.size());
+      turn_per_link_ =
+          angle_about(axis, e, transported(directions_[0][0], axis_at(links[0].curve, 0), axis)) /
+          static_cast<double>(links.size());
     }
-    tbb::parallel_for(std::size_t{0}, links.size(), [&](std::size_t i) {
+    for_each_index(links.size(), [&](std::size_t i) {
       factors_[i].push_back(factor(i, 0));
       for (int g = 1; g <= kGrid; ++g) {
         factors_[i].push_back(continued(factors_[i].back(), factor(i, at(g))));
@@ -292,8 +296,8 @@ LineFactor<T> parabola_through(const Matrix<T>& left, const Matrix<T>& middle,
 }
 
 template <class T>
-LineFactor<T> hermite_cubic(const Matrix<T>& left, const Matrix<T>& left_slope, const Matrix<T>& right,
-                            const Matrix<T>& right_slope) {
+LineFactor<T> hermite_cubic(const Matrix<T>& left, const Matrix<T>& left_slope,
+                            const Matrix<T>& right, const Matrix<T>& right_slope) {
   return {{left, left_slope,
            combination<T>({{-3, &left}, {-2, &left_slope}, {3, &right}, {-1, &right_slope}}),
            combination<T>({{2, &left}, {1, &left_slope}, {-2, &right}, {1, &right_slope}})}};
@@ -305,8 +309,8 @@ struct Matched {
   Matrix<T> value, derivative;
 };
 
-/// `own` is A at the joint, `neighbour` the finished A F of the other side there, `stretch` the length
-/// of the own segment over the neighbour's; `near` picks one of the two signs.
+/// `own` is A at the joint, `neighbour` the finished A F of the other side there, `stretch` the
+/// length of the own segment over the neighbour's; `near` picks one of the two signs.
 template <class T>
 Matched<T> matched(const EndValue<ComplexOf<T>>& own, const EndValue<ComplexOf<T>>& neighbour,
                    const T& stretch, const Matrix2d& near) {
@@ -347,18 +351,30 @@ class FactorSequence {
         precision_(precision) {
     left_.resize(segments.size());
     right_.resize(segments.size());
-    tbb::parallel_for(std::size_t{0}, segments.size(), [&](std::size_t i) {
+    for_each_index(segments.size(), [&](std::size_t i) {
       left_[i] = end_value(spinors[i], 0);
       right_[i] = end_value(spinors[i], 1);
     });
   }
 
   std::vector<LineFactor<T>> factors() {
-    for (std::size_t i = 0; i < segments_.size(); ++i) factors_.push_back(factor(i));
+    for (std::size_t i = 0; i < segments_.size(); ++i) factors_.push_back(trimmed(factor(i)));
     return std::move(factors_);
   }
 
  private:
+  /// Without leading coefficients that vanish exactly: where the even factor is constant, as on
+  /// cylinders and cones, the free choices coincide and the lines cost no degree.
+  static LineFactor<T> trimmed(LineFactor<T> factor) {
+    while (factor.coefficients.size() > 1 && vanishes(factor.coefficients.back())) {
+      factor.coefficients.pop_back();
+    }
+    return factor;
+  }
+  static bool vanishes(const Matrix<T>& a) {
+    return is_zero(a[0][0]) && is_zero(a[0][1]) && is_zero(a[1][0]) && is_zero(a[1][1]);
+  }
+
   LineFactor<T> factor(std::size_t i) {
     const Segment& segment = segments_[i];
     const bool closes = closed_ && i + 1 == segments_.size();
@@ -374,8 +390,8 @@ class FactorSequence {
 
     Matched<T> right{short_doubles<T>(even_at(segment, segment.right())), even_slope(segment, 1)};
     if (closes) {
-      const LineFactor<T> first = factors_.empty() ? LineFactor<T>{{left.value, left.derivative}}
-                                                   : factors_.front();
+      const LineFactor<T> first =
+          factors_.empty() ? LineFactor<T>{{left.value, left.derivative}} : factors_.front();
       right = matched_to(i, right_[i], finished_with(left_[0], first, 0), 0,
                          even_at(segment, segment.right()));
     }
@@ -405,8 +421,9 @@ class FactorSequence {
     return finished_with(end == 0 ? left_[i] : right_[i], factors_[i], end);
   }
 
-  Matched<T> matched_to(std::size_t own, const EndValue<C>& own_end, const EndValue<C>& neighbour_end,
-                        std::size_t neighbour, const Matrix2d& near) const {
+  Matched<T> matched_to(std::size_t own, const EndValue<C>& own_end,
+                        const EndValue<C>& neighbour_end, std::size_t neighbour,
+                        const Matrix2d& near) const {
     return matched<T>(own_end, neighbour_end, stretch(own, neighbour), near);
   }
 
@@ -462,7 +479,8 @@ WeightRange weight_range(const SpinorMatrix<std::complex<double>>& spinor,
   WeightRange range{INFINITY, 0};
   for (const CircleColumns& columns : circle) {
     for (const auto& column : columns.coefficients) {
-      const double c0 = column[0].to_double(), c1 = column[1].to_double(), c2 = column[2].to_double();
+      const double c0 = column[0].to_double(), c1 = column[1].to_double(),
+                   c2 = column[2].to_double();
       for (std::size_t i = 0; i < rows[0].size(); ++i) {
         const double weight = c0 * rows[0][i] + c1 * rows[1][i] + c2 * rows[2][i];
         range.least = std::min(range.least, weight);
@@ -484,7 +502,7 @@ class Planner {
       : chain_(chain), lines_(lines), precision_(precision) {
     gammas_.resize(chain.links.size());
     estimates_.resize(chain.links.size());
-    tbb::parallel_for(std::size_t{0}, chain.links.size(), [&](std::size_t i) {
+    for_each_index(chain.links.size(), [&](std::size_t i) {
       gammas_[i] = chain.links[i].envelope.enclosure(precision);
       estimates_[i] = midpoint(gammas_[i]);
     });
@@ -503,7 +521,7 @@ class Planner {
     const std::vector<SpinorMatrix<ComplexBall>> spinors = restricted_spinors<RealBall>();
     const std::vector<LineFactor<RealBall>> factors = factors_for<RealBall>(spinors);
     std::vector<LinedSegment> result(segments_.size());
-    tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t i) {
+    for_each_index(result.size(), [&](std::size_t i) {
       const Segment& segment = segments_[i];
       result[i] = {chain_.links[segment.link].stands_still(),
                    segment.begin,
@@ -542,14 +560,15 @@ class Planner {
   template <class T>
   std::vector<SpinorMatrix<ComplexOf<T>>> restricted_spinors() const {
     std::vector<SpinorMatrix<ComplexOf<T>>> result(segments_.size());
-    tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t i) {
+    for_each_index(result.size(), [&](std::size_t i) {
       result[i] = restricted_spinor<T>(spinor_of<T>(segments_[i].link), segments_[i], precision_);
     });
     return result;
   }
 
   template <class T>
-  std::vector<LineFactor<T>> factors_for(const std::vector<SpinorMatrix<ComplexOf<T>>>& spinors) const {
+  std::vector<LineFactor<T>> factors_for(
+      const std::vector<SpinorMatrix<ComplexOf<T>>>& spinors) const {
     std::vector<int> rooms;
     for (const Segment& segment : segments_) rooms.push_back(room(segment.link));
     return FactorSequence<T>(segments_, chain_.closed, lines_, *seam_, spinors, rooms, precision_)
@@ -560,9 +579,10 @@ class Planner {
   bool halve_uneven_segments() {
     const auto spinors = restricted_spinors<double>();
     const auto factors = factors_for<double>(spinors);
-    const std::vector<CircleColumns> circle = circle_columns(lines_, lines_ == Lines::kEven ? kLeastArcs : kMostArcs);
+    const std::vector<CircleColumns> circle =
+        circle_columns(lines_, lines_ == Lines::kEven ? kLeastArcs : kMostArcs);
     std::vector<WeightRange> ranges(segments_.size());
-    tbb::parallel_for(std::size_t{0}, ranges.size(), [&](std::size_t i) {
+    for_each_index(ranges.size(), [&](std::size_t i) {
       ranges[i] = weight_range(lined<double>(spinors[i], factors[i]), circle);
     });
     double largest = 0;
@@ -603,10 +623,11 @@ std::vector<CircleColumns> circle_columns(Lines lines, int arcs) {
 
 std::vector<LinedSegment> lined_segments(const EnvelopeChain& chain, Lines lines, long precision) {
   if (chain.closed && room_for_lines(chain.links.back().envelope) == 0) {
-    throw GeometryError(ErrorCode::kDegreeTooHigh,
-                        "The closed surface needs a degree above " + std::to_string(kLargestDegree) +
-                            " to bring its lines back to where they began; lower the degree of spine "
-                            "and radius.");
+    throw GeometryError(
+        ErrorCode::kDegreeTooHigh,
+        "The closed surface needs a degree above " + std::to_string(kLargestDegree) +
+            " to bring its lines back to where they began; lower the degree of spine "
+            "and radius.");
   }
   return Planner(chain, lines, precision).segments();
 }

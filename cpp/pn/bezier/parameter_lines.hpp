@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Parameter lines: the real factor F(t) that makes A F even, continuous and, where possible, C1.
 //
-// LEMMA 1 (joints). Where two links share their circle, the spinors B- of the left link and A+ of the
-// right one satisfy A+ F = e^{i phi} B- for a real matrix F, so the lines u = const run on. Where both
-// links continue each other up to the second derivative, there are moreover a real F' and a real psi
-// with A+ F' = e^{i phi} (B-' + i psi B-) - A+' F; then w, and with it every section as a homogeneous
-// function, is C1 across the joint. (n_t differs by a projective vector field on the circle, three
-// numbers, and w_t by one: four unknowns in F' and psi decide the phase.)
+// LEMMA 1 (joints). Where two links share their circle, the spinors B- of the left link and A+ of
+// the right one satisfy A+ F = e^{i phi} B- for a real matrix F, so the lines u = const run on.
+// Where both links continue each other up to the second derivative, there are moreover a real F'
+// and a real psi with A+ F' = e^{i phi} (B-' + i psi B-) - A+' F; then w, and with it every section
+// as a homogeneous function, is C1 across the joint. (n_t differs by a projective vector field on
+// the circle, three numbers, and w_t by one: four unknowns in F' and psi decide the phase.)
 //
-// LEMMA 2 (weights). With F near G^{-1/2} Rot(theta), G = Re(A* A), the weight w4 is nearly constant;
-// on short segments its Bernstein coefficients are positive.
+// LEMMA 2 (weights). With F near G^{-1/2} Rot(theta), G = Re(A* A), the weight w4 is nearly
+// constant; on short segments its Bernstein coefficients are positive.
 //
-// F is a free choice at the right end of every segment, taken in short doubles from the even factor of
-// seam.hpp, and determined at the left end by Lemma 1. It is a cubic (value and derivative at both
-// ends) where a derivative is determined, otherwise a quadratic through its values at 0, 1/2 and 1; the
-// degree of every section grows by twice the degree of F. A segment whose weights are too uneven is
-// halved.
+// F is a free choice at the right end of every segment, taken in short doubles from the even factor
+// of seam.hpp, and determined at the left end by Lemma 1. It is a cubic (value and derivative at
+// both ends) where a derivative is determined, otherwise a quadratic through its values at 0, 1/2
+// and 1; the degree of every section grows by twice the degree of F. A segment whose weights are
+// too uneven is halved.
 #pragma once
 
 #include <vector>
@@ -25,35 +25,32 @@
 
 namespace pn {
 
-/// OpenCASCADE's largest degree of a B-spline.
-inline constexpr int kLargestDegree = 25;
-
 enum class Lines {
   kEven,          ///< smooth faces, even lines
   kLowestDegree,  ///< F is constant: the degree of the algebra, a face for every arc
 };
 
-/// Arcs around the circle: the least number, doubled up to the most until all weights are positive. With
-/// even lines 4 suffice; three would leave too little weight between them.
+/// Arcs around the circle: the least number, doubled up to the most until all weights are positive.
+/// With even lines 4 suffice; three would leave too little weight between them.
 inline constexpr int kLeastArcs = 4;
 inline constexpr int kMostArcs = 32;
 
-/// The faces around the circle: a closed one of so many arcs for even lines, one for every arc for lowest
-/// degree.
+/// The faces around the circle: a closed one of so many arcs for even lines, one for every arc for
+/// lowest degree.
 std::vector<CircleColumns> circle_columns(Lines lines, int arcs);
 
-/// A piece of the envelope with its lines, over the interval [begin, end] of the spine's parameter; of
-/// [0, 1] in a zone of a sphere, where the spine stands still.
+/// A piece of the envelope with its lines, over the interval [begin, end] of the spine's parameter;
+/// of [0, 1] in a zone of a sphere, where the spine stands still.
 struct LinedSegment {
   bool stands_still;
   double begin, end;
   Joint joint_before;
-  SphereCurveForms<RealBall> curve;      ///< forms in the segment's own parameter on [0, 1]
-  SpinorMatrix<ComplexBall> spinor;      ///< A F
+  SphereCurveForms<RealBall> curve;  ///< forms in the segment's own parameter on [0, 1]
+  SpinorMatrix<ComplexBall> spinor;  ///< A F
 };
 
-/// The segments of the chain in order, computed at this precision. Throws Undecided when it does not
-/// suffice, GeometryError when degree 25 leaves no room for the lines.
+/// The segments of the chain in order, computed at this precision. Throws Undecided when it does
+/// not suffice, GeometryError when degree 25 leaves no room for the lines.
 std::vector<LinedSegment> lined_segments(const EnvelopeChain& chain, Lines lines, long precision);
 
 }  // namespace pn

@@ -68,7 +68,8 @@ PNSurface PNSurface::offset(double d) const {
 
 std::array<int, 2> PNSurface::degree() const {
   int along = 0;
-  for (const ChainLink& link : shared_->chain.links) along = std::max(along, link.envelope.degree());
+  for (const ChainLink& link : shared_->chain.links)
+    along = std::max(along, link.envelope.degree());
   return {along, 2};
 }
 
@@ -99,8 +100,8 @@ std::vector<BSplineSurface> PNSurface::faces(Lines lines) const {
 
 Certificate PNSurface::certificate(Lines lines) const {
   const auto rounded = section(lines);
-  Certificate certificate{0, rounded->net->precision(), shared_->chain.notes.empty(),
-                          {0, 0}, 0, shared_->chain.notes};
+  Certificate certificate{0, rounded->net->precision(), shared_->chain.notes.empty(), {0, 0},
+                          0, shared_->chain.notes};
   for (const RoundedFace& face : rounded->faces) {
     certificate.deviation = std::max(certificate.deviation, face.deviation);
     certificate.bidegree[0] = std::max(certificate.bidegree[0], face.surface.u_degree);

@@ -16,11 +16,11 @@
 namespace pn {
 
 struct Certificate {
-  double deviation;                 ///< proven bound [mm] on the distance to the true envelope
-  long precision_bits;              ///< working precision that sufficed
-  bool exact;                       ///< nothing in the input was fitted or closed up
-  std::array<int, 2> bidegree;      ///< of the faces, the largest along and around
-  std::size_t poles;                ///< of all faces
+  double deviation;             ///< proven bound [mm] on the distance to the true envelope
+  long precision_bits;          ///< working precision that sufficed
+  bool exact;                   ///< nothing in the input was fitted or closed up
+  std::array<int, 2> bidegree;  ///< of the faces, the largest along and around
+  std::size_t poles;            ///< of all faces
   std::vector<std::string> notes;
 };
 
@@ -33,8 +33,8 @@ class PNSurface {
  public:
   explicit PNSurface(EnvelopeChain chain);
 
-  /// The surface at distance() + d [mm], on the side of the normal for d > 0. Throws GeometryError when d
-  /// is not finite.
+  /// The surface at distance() + d [mm], on the side of the normal for d > 0. Throws GeometryError
+  /// when d is not finite.
   PNSurface offset(double d) const;
   double distance() const { return distance_; }
 
@@ -46,7 +46,8 @@ class PNSurface {
   std::vector<BSplineSurface> faces(Lines lines) const;
   Certificate certificate(Lines lines) const;
   /// Points and normals of the even faces at parameter t of the spine and v in [0, 4] around it.
-  std::vector<SurfacePoint> evaluate(const std::vector<double>& t, const std::vector<double>& v) const;
+  std::vector<SurfacePoint> evaluate(const std::vector<double>& t,
+                                     const std::vector<double>& v) const;
 
  private:
   struct Shared;

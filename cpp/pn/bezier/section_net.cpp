@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/bezier/section_net.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "pn/algebra/bernstein.hpp"
+#include "pn/algebra/parallel.hpp"
 #include "pn/algebra/roots.hpp"
 #include "pn/geometry_error.hpp"
 
@@ -17,7 +16,7 @@ namespace {
 /// The rows of a segment at a common degree: Bernstein coefficients of q00, q01, q11 in each row.
 struct SegmentRows {
   std::array<std::array<std::vector<RealBall>, 3>, 7> component;  ///< [x y z, V1 V2 V3, w][q][row]
-  bool has_no_negative_weight(const std::vector<CircleColumns>& circle) const;
+  bool has_no_negative_weight(const std::vector<CircleColumns>& circle, long precision) const;
 };
 
 int degree_of(const LinedSegment& segment) {
@@ -43,11 +42,9 @@ SegmentRows rows_of(const LinedSegment& segment, int degree) {
 
 using ColumnWeights = std::array<RealBall, 3>;
 
-/// Coefficients of 24-bit points: exact at every working precision.
-ColumnWeights in_balls(const std::array<Rational, 3>& column) {
-  return {RealBall(column[0], RealBall::kLeastPrecision * 2),
-          RealBall(column[1], RealBall::kLeastPrecision * 2),
-          RealBall(column[2], RealBall::kLeastPrecision * 2)};
+ColumnWeights in_balls(const std::array<Rational, 3>& column, long precision) {
+  return {RealBall(column[0], precision), RealBall(column[1], precision),
+          RealBall(column[2], precision)};
 }
 
 RealBall value(const std::array<std::vector<RealBall>, 3>& component, std::size_t row,
@@ -69,10 +66,11 @@ NetPole pole_of(const SegmentRows& rows, std::size_t row, const ColumnWeights& c
   return pole;
 }
 
-bool SegmentRows::has_no_negative_weight(const std::vector<CircleColumns>& circle) const {
+bool SegmentRows::has_no_negative_weight(const std::vector<CircleColumns>& circle,
+                                         long precision) const {
   for (const CircleColumns& columns : circle) {
     for (const auto& coefficients : columns.coefficients) {
-      const ColumnWeights column = in_balls(coefficients);
+      const ColumnWeights column = in_balls(coefficients, precision);
       for (std::size_t row = 0; row < component[6][0].size(); ++row) {
         if (value(component[6], row, column).is_negative()) return false;
       }
@@ -114,8 +112,8 @@ BSplineSurface frame_of(const std::vector<LinedSegment>& segments, const Run& ru
   return frame;
 }
 
-/// The control rows of a C1 spline from those of its Bezier pieces: the row at a joint is a mean of its
-/// neighbours and is left out.
+/// The control rows of a C1 spline from those of its Bezier pieces: the row at a joint is a mean of
+/// its neighbours and is left out.
 struct RowPlace {
   std::size_t segment, row;
 };
@@ -130,18 +128,20 @@ std::vector<RowPlace> control_rows(const Run& run) {
   return rows;
 }
 
-std::vector<ColumnWeights> column_weights(const CircleColumns& circle) {
+std::vector<ColumnWeights> column_weights(const CircleColumns& circle, long precision) {
   std::vector<ColumnWeights> columns;
-  for (const auto& coefficients : circle.coefficients) columns.push_back(in_balls(coefficients));
+  for (const auto& coefficients : circle.coefficients) {
+    columns.push_back(in_balls(coefficients, precision));
+  }
   return columns;
 }
 
 FaceNet face_net(const std::vector<LinedSegment>& segments, const std::vector<SegmentRows>& rows,
-                 const Run& run, const CircleColumns& circle) {
+                 const Run& run, const CircleColumns& circle, long precision) {
   FaceNet face;
   face.frame = frame_of(segments, run, circle);
   face.stands_still = segments[run.first].stands_still;
-  const std::vector<ColumnWeights> columns = column_weights(circle);
+  const std::vector<ColumnWeights> columns = column_weights(circle, precision);
   const std::vector<RowPlace> places = control_rows(run);
   const bool closed = circle.coefficients.front() == circle.coefficients.back();
   face.poles.resize(places.size() * columns.size());
@@ -187,11 +187,11 @@ void close_row(const FaceNet& first, FaceNet* face) {
             face->poles.end() - static_cast<std::ptrdiff_t>(shared.size()));
 }
 
-int arcs_with_positive_weights(const std::vector<SegmentRows>& rows, Lines lines) {
+int arcs_with_positive_weights(const std::vector<SegmentRows>& rows, Lines lines, long precision) {
   for (int arcs = kLeastArcs; arcs < kMostArcs; arcs *= 2) {
     const auto circle = circle_columns(lines, arcs);
     if (std::all_of(rows.begin(), rows.end(), [&](const SegmentRows& segment) {
-          return segment.has_no_negative_weight(circle);
+          return segment.has_no_negative_weight(circle, precision);
         })) {
       return arcs;
     }
@@ -225,7 +225,8 @@ using Point = std::array<double, 3>;
 double length(const Point& v) { return std::hypot(v[0], v[1], v[2]); }
 
 std::array<RealBall, 3> pole_at(const NetPole& pole, const RealBall& distance) {
-  return {pole.point[0] + distance * pole.direction[0], pole.point[1] + distance * pole.direction[1],
+  return {pole.point[0] + distance * pole.direction[0],
+          pole.point[1] + distance * pole.direction[1],
           pole.point[2] + distance * pole.direction[2]};
 }
 
@@ -253,7 +254,8 @@ struct Box {
   double diagonal() const { return length({high[0] - low[0], high[1] - low[1], high[2] - low[2]}); }
 };
 
-/// The largest diagonal of the boxes around the poles that are active on one knot span along the spine.
+/// The largest diagonal of the boxes around the poles that are active on one knot span along the
+/// spine.
 double active_diameter(const BSplineSurface& surface) {
   const std::size_t columns = surface.v_count();
   double diameter = 0;
@@ -318,13 +320,12 @@ SectionNet::SectionNet(const EnvelopeChain& chain, Lines lines, long precision)
   const std::vector<Run> runs = smooth_runs(segments);
   for (const Run& run : runs) {
     if (run.degree <= kLargestDegree) continue;
-    throw GeometryError(ErrorCode::kDegreeTooHigh,
-                        "The exact surface would have degree " + std::to_string(run.degree) +
-                            " along the spine between parameters " +
-                            std::to_string(segments[run.first].begin) + " and " +
-                            std::to_string(segments[run.last - 1].end) + "; CAD systems stop at " +
-                            std::to_string(kLargestDegree) +
-                            ". Lower the degree of spine and radius there.");
+    throw GeometryError(
+        ErrorCode::kDegreeTooHigh,
+        "The exact surface would have degree " + std::to_string(run.degree) +
+            " along the spine between parameters " + std::to_string(segments[run.first].begin) +
+            " and " + std::to_string(segments[run.last - 1].end) + "; CAD systems stop at " +
+            std::to_string(kLargestDegree) + ". Lower the degree of spine and radius there.");
   }
   std::vector<int> degrees(segments.size());
   for (const Run& run : runs) {
@@ -332,13 +333,13 @@ SectionNet::SectionNet(const EnvelopeChain& chain, Lines lines, long precision)
               degrees.begin() + static_cast<std::ptrdiff_t>(run.last), run.degree);
   }
   std::vector<SegmentRows> rows(segments.size());
-  tbb::parallel_for(std::size_t{0}, rows.size(),
-                    [&](std::size_t i) { rows[i] = rows_of(segments[i], degrees[i]); });
+  for_each_index(rows.size(), [&](std::size_t i) { rows[i] = rows_of(segments[i], degrees[i]); });
   const std::vector<CircleColumns> circle =
-      circle_columns(lines, arcs_with_positive_weights(rows, lines));
+      circle_columns(lines, arcs_with_positive_weights(rows, lines, precision));
   faces_.resize(runs.size() * circle.size());
-  tbb::parallel_for(std::size_t{0}, faces_.size(), [&](std::size_t i) {
-    faces_[i] = face_net(segments, rows, runs[i / circle.size()], circle[i % circle.size()]);
+  for_each_index(faces_.size(), [&](std::size_t i) {
+    faces_[i] =
+        face_net(segments, rows, runs[i / circle.size()], circle[i % circle.size()], precision);
   });
   for (std::size_t i = circle.size(); i < faces_.size(); ++i) {
     share_row(faces_[i - circle.size()], &faces_[i]);
@@ -351,8 +352,7 @@ SectionNet::SectionNet(const EnvelopeChain& chain, Lines lines, long precision)
 
 std::vector<RoundedFace> SectionNet::section(double distance) const {
   std::vector<RoundedFace> result(faces_.size());
-  tbb::parallel_for(std::size_t{0}, faces_.size(),
-                    [&](std::size_t i) { result[i] = rounded(faces_[i], distance); });
+  for_each_index(faces_.size(), [&](std::size_t i) { result[i] = rounded(faces_[i], distance); });
   return result;
 }
 
@@ -361,8 +361,8 @@ std::vector<BSplineSurface> SectionNet::normals() const {
   for (const FaceNet& face : faces_) {
     BSplineSurface surface = face.frame;
     for (const NetPole& pole : face.poles) {
-      surface.poles.push_back(
-          {pole.direction[0].midpoint(), pole.direction[1].midpoint(), pole.direction[2].midpoint()});
+      surface.poles.push_back({pole.direction[0].midpoint(), pole.direction[1].midpoint(),
+                               pole.direction[2].midpoint()});
       surface.weights.push_back(pole.weight.midpoint());
     }
     result.push_back(std::move(surface));

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Section nets: the control points of all offsets at once, proved, and their rounding to doubles.
 //
-// Every section of Gamma has the same weights and parameters, and its control points are linear in the
-// distance: x_d = P + d V with weights w, where P, V, w are balls. A section is rounded to the nearest
-// doubles, once every number is known to within one unit in its last place.
+// Every section of Gamma has the same weights and parameters, and its control points are linear in
+// the distance: x_d = P + d V with weights w, where P, V, w are balls. A section is rounded to the
+// nearest doubles, once every number is known to within one unit in its last place.
 //
-// THEOREM (certificate). Let the exported surface have poles P^ and weights w^ = w (1 + e), |e| <= eps < 1,
-// |P^ - P| <= delta, over the knots of the true one. At the same parameters the two surfaces differ by at
-// most delta + eps / (1 - eps) diam, where diam bounds the distance of any two true poles that are active
-// on one knot span. Proof: x^ - x = sum l^ (P^ - P) + sum (w^ - w) B (P - x) / sum w^ B, with l^ >= 0 of
-// sum 1; the first sum is at most delta, and in the second |w^ - w| B <= eps w B, |P - x| <= diam since x
-// is a mean of the active poles, and sum w B / sum w^ B <= 1 / (1 - eps).
+// THEOREM (certificate). Let the exported surface have poles P^ and weights w^ = w (1 + e), |e| <=
+// eps < 1, |P^ - P| <= delta, over the knots of the true one. At the same parameters the two
+// surfaces differ by at most delta + eps / (1 - eps) diam, where diam bounds the distance of any
+// two true poles that are active on one knot span. Proof: x^ - x = sum l^ (P^ - P) + sum (w^ - w) B
+// (P - x) / sum w^ B, with l^ >= 0 of sum 1; the first sum is at most delta, and in the second |w^
+// - w| B <= eps w B, |P - x| <= diam since x is a mean of the active poles, and sum w B / sum w^ B
+// <= 1 / (1 - eps).
 //
 // The bound is on the distance between corresponding points, so it also bounds the distance of the
-// exported surface to the true envelope. It covers all rounding on export; the balls cover all before.
+// exported surface to the true envelope. It covers all rounding on export; the balls cover all
+// before.
 #pragma once
 
 #include <array>
@@ -34,9 +36,9 @@ struct NetPole {
 
 /// One exported face: knots and control points, row by row along the spine.
 struct FaceNet {
-  BSplineSurface frame;            ///< knots and degrees; no poles yet
-  bool stands_still;               ///< a zone of a sphere: its first parameter is not the spine's
-  std::vector<NetPole> poles;      ///< row-major, as in BSplineSurface
+  BSplineSurface frame;        ///< knots and degrees; no poles yet
+  bool stands_still;           ///< a zone of a sphere: its first parameter is not the spine's
+  std::vector<NetPole> poles;  ///< row-major, as in BSplineSurface
   /// The face's own first and last row where a neighbour's row replaces it, else empty.
   std::vector<NetPole> replaced_first, replaced_last;
 };
@@ -48,12 +50,12 @@ struct RoundedFace {
 
 class SectionNet {
  public:
-  /// Throws Undecided when the precision does not suffice, GeometryError when no positive weights or
-  /// admissible degrees are found.
+  /// Throws Undecided when the precision does not suffice, GeometryError when no positive weights
+  /// or admissible degrees are found.
   SectionNet(const EnvelopeChain& chain, Lines lines, long precision);
 
-  /// The faces at distance d [mm]. Throws Undecided when some number is not known to within one unit in
-  /// its last place.
+  /// The faces at distance d [mm]. Throws Undecided when some number is not known to within one
+  /// unit in its last place.
   std::vector<RoundedFace> section(double distance) const;
   /// The faces of (w1, w2, w3) / w4 over the same knots: unit normals, in doubles, as estimates.
   std::vector<BSplineSurface> normals() const;

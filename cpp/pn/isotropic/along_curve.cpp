@@ -60,13 +60,14 @@ RealBall positive_root(const RealBall& x) {
 
 /// t as a quotient of quadratic forms in the local parameter, which runs from 0 to 1 as t does.
 ///
-/// (s : sigma) moves on the chord between its values at t = 0 and t = 1. With both roots finite these are
-/// taken on the unit circle, (sqrt(t - r1), sqrt(r2 - t)) / sqrt(r2 - r1), so that the denominator
-/// s^2 + sigma^2 stays between 1/2 and 1; otherwise sigma = 1.
+/// (s : sigma) moves on the chord between its values at t = 0 and t = 1. With both roots finite
+/// these are taken on the unit circle, (sqrt(t - r1), sqrt(r2 - t)) / sqrt(r2 - r1), so that the
+/// denominator s^2 + sigma^2 stays between 1/2 and 1; otherwise sigma = 1.
 class Substitution {
  public:
   Substitution(const AdjacentRoots& odd, long precision)
-      : odd_(odd), start_(at(RealBall(0).at_precision(precision))),
+      : odd_(odd),
+        start_(at(RealBall(0).at_precision(precision))),
         end_(at(RealBall(1).at_precision(precision))) {}
 
   /// p(t) times the denominator of t to the power `degree`, as a form of twice that degree.
@@ -137,9 +138,7 @@ ConjugatePair upper(const ComplexBall& z, int multiplicity) {
   return {imaginary.is_positive() ? z : conj(z), multiplicity};
 }
 
-bool is_same(const std::optional<RealBall>& a, const RealBall& b) {
-  return a && a->overlaps(b);
-}
+bool is_same(const std::optional<RealBall>& a, const RealBall& b) { return a && a->overlaps(b); }
 
 DoubleRoots Substitution::roots(const RootSet& in_t, int formal_degree) const {
   DoubleRoots result;
@@ -269,7 +268,8 @@ SphereCurveForms<double> midpoint(const SphereCurveForms<RealBall>& curve) {
 using RootChoice = std::vector<int>;
 
 template <class C, class Convert>
-HalfRoots<C> half_roots(const DoubleRoots& roots, const RootChoice& upper_copies, Convert&& convert) {
+HalfRoots<C> half_roots(const DoubleRoots& roots, const RootChoice& upper_copies,
+                        Convert&& convert) {
   HalfRoots<C> half;
   for (std::size_t i = 0; i < roots.pairs.size(); ++i) {
     const C root = convert(roots.pairs[i].value);
@@ -278,7 +278,8 @@ HalfRoots<C> half_roots(const DoubleRoots& roots, const RootChoice& upper_copies
     }
   }
   for (const DoubleRoots::Real& root : roots.real) {
-    for (int copy = 0; copy < root.copies; ++copy) half.real.push_back(convert(ComplexBall(root.value)));
+    for (int copy = 0; copy < root.copies; ++copy)
+      half.real.push_back(convert(ComplexBall(root.value)));
   }
   half.infinite = roots.infinite_copies;
   return half;
@@ -296,8 +297,7 @@ struct Cost {
 /// Compares root choices in doubles.
 class RootChoiceSearch {
  public:
-  RootChoiceSearch(const LocalForms& local)
-      : roots_(local.roots), curve_(midpoint(local.curve)) {
+  RootChoiceSearch(const LocalForms& local) : roots_(local.roots), curve_(midpoint(local.curve)) {
     const auto h = hermitian_matrix(local.curve);
     matrix_ = {midpoint(h.h00), midpoint(h.h01), midpoint(h.h11)};
   }
@@ -405,9 +405,23 @@ AlongCurve::AlongCurve(SphereCurve curve, CircleFamily circles)
   at_sufficient_precision([&](long precision) { choose_roots(precision); });
 }
 
+void AlongCurve::require_degree(int degree) const {
+  if (degree <= kLargestDegree) return;
+  throw GeometryError(
+      ErrorCode::kDegreeTooHigh,
+      "The exact surface would have degree " + std::to_string(degree) +
+          " along the spine; CAD systems stop at " + std::to_string(kLargestDegree) + ". " +
+          (substituted_
+               ? "The quick change of the radius doubles it: let the radius change more slowly, "
+                 "or lower the degree of spine and radius (now "
+               : "Lower the degree of spine and radius (now ") +
+          std::to_string(curve_.degree()) + "), for instance by a cubic B-spline");
+}
+
 void AlongCurve::choose_roots(long precision) {
   LocalForms local = local_forms(curve_, circles_, precision);
   substituted_ = local.curve.level.degree() != circles_.degree();
+  require_degree(local.curve.denominator.degree() + 2 * ((local.curve.level.degree() + 1) / 2));
   const RootChoice choice = RootChoiceSearch(local).best();
   chosen_roots_.clear();
   for (const std::complex<double>& root :
@@ -418,6 +432,7 @@ void AlongCurve::choose_roots(long precision) {
   }
   SpinorMatrix<ComplexBall> spinor = factorize(local, choice);
   degree_ = local.curve.denominator.degree() + 2 * spinor.degree[0];
+  require_degree(degree_);
   first_enclosure_ = {std::move(local.curve), std::move(spinor)};
   first_precision_ = precision;
 }

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The isotropic hypersurface along a curve of spheres: the envelope of a one-parameter family.
 //
-// THEOREM. Let f be a rational curve of spheres of degree k with circle family (M, R) of degree h and
-// D = |M|^2 - R^2 > 0 on [0, 1]. If D has no real root of odd multiplicity, the spinor factorization of
-// (M, R) gives all offsets of the envelope in bidegree (k + 2 d, 2) with d = ceil(h/2) when D has no
-// real root at all: for polynomial f, h = k - 1, the degrees in t are 4, 5, 8, 9, 12, 13 for k = 2..7,
-// and no parametrization that is quadratic in u has less.
+// THEOREM. Let f be a rational curve of spheres of degree k with circle family (M, R) of degree h
+// and D = |M|^2 - R^2 > 0 on [0, 1]. If D has no real root of odd multiplicity, the spinor
+// factorization of (M, R) gives all offsets of the envelope in bidegree (k + 2 d, 2) with d =
+// ceil(h/2) when D has no real root at all: for polynomial f, h = k - 1, the degrees in t are 4, 5,
+// 8, 9, 12, 13 for k = 2..7, and no parametrization that is quadratic in u has less.
 //
-// If D has real roots of odd multiplicity (outside [0, 1]), none is rational in t. With r1 < 0 < 1 < r2
-// the adjacent ones on the projective line, a missing one replaced by infinity,
+// If D has real roots of odd multiplicity (outside [0, 1]), none is rational in t. With r1 < 0 < 1
+// < r2 the adjacent ones on the projective line, a missing one replaced by infinity,
 //
 //     t = (r1 + r2 s^2) / (1 + s^2)        (t = r1 + s^2 without r2, t = r2 - s^2 without r1)
 //
-// doubles all degrees and turns D into a form without odd real roots: r1 and r2 become double roots at
-// s = 0 and infinity, any other root c becomes the two roots s = +-sqrt((c - r1) / (r2 - c)).
+// doubles all degrees and turns D into a form without odd real roots: r1 and r2 become double roots
+// at s = 0 and infinity, any other root c becomes the two roots s = +-sqrt((c - r1) / (r2 - c)).
 // (M. Peternell, dissertation TU Wien 1997, (1.27), section 2.5 and Proposition 4.1.)
 //
-// Of each pair of roots of D one is free to choose. The choice is searched for the lowest degree and,
-// among those, for the least twist of the lines u = const.
+// Of each pair of roots of D one is free to choose. The choice is searched for the lowest degree
+// and, among those, for the least twist of the lines u = const.
 #pragma once
 
 #include <complex>
@@ -28,10 +28,14 @@
 
 namespace pn {
 
+/// OpenCASCADE's largest degree of a B-spline; most other systems stop earlier.
+inline constexpr int kLargestDegree = 25;
+
 class AlongCurve {
  public:
-  /// `circles` is the coprime circle family along `curve`, with D > 0 on [0, 1]. It need not stem from
-  /// f' (where f stands still, as at a corner of a spine, any family through the joints will do).
+  /// `circles` is the coprime circle family along `curve`, with D > 0 on [0, 1]. It need not stem
+  /// from f' (where f stands still, as at a corner of a spine, any family through the joints will
+  /// do). Throws GeometryError when every section exceeds the largest degree.
   AlongCurve(SphereCurve curve, CircleFamily circles);
 
   const SphereCurve& curve() const { return curve_; }
@@ -47,12 +51,13 @@ class AlongCurve {
 
  private:
   void choose_roots(long precision);
+  void require_degree(int degree) const;
 
   SphereCurve curve_;
   CircleFamily circles_;
   bool substituted_ = false;
   int degree_ = 0;
-  long first_precision_ = 0;                         ///< the one at which the roots were chosen
+  long first_precision_ = 0;  ///< the one at which the roots were chosen
   IsotropicHypersurface<RealBall> first_enclosure_;
   std::vector<std::complex<double>> chosen_roots_;  ///< one for every conjugate pair and copy
 };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Chains of envelopes: isotropic hypersurfaces one after the other along a spine.
 //
-// Two links meet in the same circle when their circle families (M : R) agree there, in direction and
-// orientation. When moreover centre, radius and denominator agree up to the second derivative, the
-// sections can be given lines u = const that make them C1 as homogeneous functions, so that both links
-// lie on one C1 B-spline.
+// Two links meet in the same circle when their circle families (M : R) agree there, in direction
+// and orientation. When moreover centre, radius and denominator agree up to the second derivative,
+// the sections can be given lines u = const that make them C1 as homogeneous functions, so that
+// both links lie on one C1 B-spline.
 #pragma once
 
 #include <string>
@@ -33,7 +33,8 @@ struct ChainLink {
 struct EnvelopeChain {
   std::vector<ChainLink> links;
   bool closed = false;
-  /// Sentences on what was done to the input, for the certificate; empty when it was taken as it is.
+  /// Sentences on what was done to the input, for the certificate; empty when it was taken as it
+  /// is.
   std::vector<std::string> notes;
 };
 

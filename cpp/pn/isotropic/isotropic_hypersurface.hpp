@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The rational isotropic hypersurface Gamma in Minkowski space R^{3,1}.
 //
-// THEOREM. Let f be a rational curve (or surface) in R^{3,1} and w a polynomial vector with <w, w> = 0,
-// <w, df> = 0 and w4 > 0. Then Gamma = f + mu w meets every space x4 = d in a rational surface with a
-// rational unit normal, and these surfaces are the offsets of each other:
+// THEOREM. Let f be a rational curve (or surface) in R^{3,1} and w a polynomial vector with <w, w>
+// = 0, <w, df> = 0 and w4 > 0. Then Gamma = f + mu w meets every space x4 = d in a rational surface
+// with a rational unit normal, and these surfaces are the offsets of each other:
 //
 //     n = (w1, w2, w3) / w4,      x_d = (f1, f2, f3) + (d - f4) n,      n.x_d = <f, w> / w4 + d.
 //
-// (M. Peternell, Rational two-parameter families of spheres and rational offset surfaces, Theorems 9
-// and 13.) Offsetting is choosing another section of the same hypersurface.
+// (M. Peternell, Rational two-parameter families of spheres and rational offset surfaces, Theorems
+// 9 and 13.) Offsetting is choosing another section of the same hypersurface.
 //
 // Here f(t) = (centre, -radius) / denominator, so that n points away from the spine for a positive
 // radius, and w(t, u) stems from a spinor a = A(t) (u0, u1)^T: w = (2 Re(conj(a0) a1),
@@ -27,7 +27,8 @@
 namespace pn {
 
 template <class T>
-using ComplexOf = std::conditional_t<std::is_same_v<T, RealBall>, ComplexBall, std::complex<double>>;
+using ComplexOf =
+    std::conditional_t<std::is_same_v<T, RealBall>, ComplexBall, std::complex<double>>;
 
 /// q00 u0^2 + 2 q01 u0 u1 + q11 u1^2 with forms in t.
 template <class T>
@@ -98,14 +99,15 @@ IsotropicVector<T> isotropic_vector(const SpinorMatrix<ComplexOf<T>>& a) {
   return w;
 }
 
-/// The curve of spheres and its circle family in numbers; all forms in the local parameter on [0, 1].
+/// The curve of spheres and its circle family in numbers; all forms in the local parameter on [0,
+/// 1].
 template <class T>
 struct SphereCurveForms {
   std::array<Form<T>, 3> centre;
   Form<T> radius;
-  Form<T> denominator;         ///< of the same formal degree as centre and radius
+  Form<T> denominator;  ///< of the same formal degree as centre and radius
   std::array<Form<T>, 3> axis;
-  Form<T> level;               ///< of the same formal degree as axis
+  Form<T> level;  ///< of the same formal degree as axis
 };
 
 template <class T>
@@ -114,7 +116,8 @@ struct IsotropicHypersurface {
   SpinorMatrix<ComplexOf<T>> spinor;
 };
 
-/// The sections of Gamma as homogeneous forms, quadratic in u: x_d = (point + d direction) / weight.
+/// The sections of Gamma as homogeneous forms, quadratic in u: x_d = (point + d direction) /
+/// weight.
 template <class T>
 struct HomogeneousSections {
   std::array<QuadraticInU<T>, 3> point;      ///< centre w4 + radius (w1, w2, w3)

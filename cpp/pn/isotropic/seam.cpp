@@ -91,8 +91,8 @@ double twist_energy(const IsotropicHypersurface<double>& gamma) {
     const Vector3d next_axis = axis_at(gamma.curve, t);
     e = transported(e, axis, next_axis);
     axis = next_axis;
-    const Matrix2d next = continued(
-        factor, even_factor(value_at(gamma.spinor, t), circle_normal(gamma.curve, t, e)));
+    const Matrix2d next =
+        continued(factor, even_factor(value_at(gamma.spinor, t), circle_normal(gamma.curve, t, e)));
     energy += (factor.inverse() * next - Matrix2d::Identity()).squaredNorm();
     factor = next;
   }

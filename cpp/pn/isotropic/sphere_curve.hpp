@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Curves of spheres: one-parameter families in Minkowski space R^{3,1}, over Q.
 //
-// The curve is f(t) = (m(t), -r(t)) with m = centre / denominator and r = radius / denominator, for t
-// in [0, 1]. With <x, y> = x1 y1 + x2 y2 + x3 y3 - x4 y4, a unit normal n of the envelope satisfies
-// <f', (n, 1)> = n.m' + r' = 0: at each t a circle on the unit sphere, whose family (M, R) is f' without
-// its common factor:
+// The curve is f(t) = (m(t), -r(t)) with m = centre / denominator and r = radius / denominator, for
+// t in [0, 1]. With <x, y> = x1 y1 + x2 y2 + x3 y3 - x4 y4, a unit normal n of the envelope
+// satisfies <f', (n, 1)> = n.m' + r' = 0: at each t a circle on the unit sphere, whose family (M,
+// R) is f' without its common factor:
 //
 //     f' = content / denominator^2 (M, -R),    M, R coprime,    n.M + R = 0,    D = |M|^2 - R^2.
 //

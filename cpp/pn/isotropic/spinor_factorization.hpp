@@ -15,15 +15,16 @@
 //     n = (2 Re(conj(a0) a1), 2 Im(conj(a0) a1), |a0|^2 - |a1|^2) / (|a0|^2 + |a1|^2)
 //
 // runs over all unit vectors with n.M + R = 0: rational, of degree 2 in u, and a* a > 0 everywhere.
-// Replacing a root c of D by conj(c) in the construction changes A by a real factor of u; a suitable
-// choice reaches column degrees (ceil(h/2), floor(h/2)) whenever D has no real zero, and that is least
-// possible. Sources: M. Peternell, dissertation TU Wien 1997, 2.5 and 4.5; D. Gruber, diploma thesis
-// TU Wien 2008, Satz 2; the matrix form is the factorization of a Hermitian matrix along a lattice
-// chain at the roots of D.
+// Replacing a root c of D by conj(c) in the construction changes A by a real factor of u; a
+// suitable choice reaches column degrees (ceil(h/2), floor(h/2)) whenever D has no real zero, and
+// that is least possible. Sources: M. Peternell, dissertation TU Wien 1997, 2.5 and 4.5; D. Gruber,
+// diploma thesis TU Wien 2008, Satz 2; the matrix form is the factorization of a Hermitian matrix
+// along a lattice chain at the roots of D.
 //
-// NOTATION. A has columns a_0, a_1 of formal degrees d_0, d_1; hi is the column of larger degree, lo
-// the other. One step per root c of the chosen half of D: v spans the kernel of H(c), L = t - c (or s
-// at infinity), ~ conjugates coefficients. H is updated with A so that A* H A stays divisible.
+// NOTATION. A has columns a_0, a_1 of formal degrees d_0, d_1; hi is the column of larger degree,
+// lo the other. One step per root c of the chosen half of D: v spans the kernel of H(c), L = t - c
+// (or s at infinity), ~ conjugates coefficients. H is updated with A so that A* H A stays
+// divisible.
 #pragma once
 
 #include <algorithm>
@@ -65,13 +66,15 @@ namespace spinor {
 // What the algorithm asks of a scalar. In doubles an answer is an estimate, good for comparing root
 // choices; in balls it is a proof.
 
-/// Below this part of a unit vector a component computed in doubles counts as zero: the square root of
-/// the rounding unit, since the vector stems from values that cancel.
+/// Below this part of a unit vector a component computed in doubles counts as zero: the square root
+/// of the rounding unit, since the vector stems from values that cancel.
 inline constexpr double kNegligible = 1e-8;
 
 inline std::complex<double> midpoint(const std::complex<double>& z) { return z; }
 inline std::complex<double> midpoint(const ComplexBall& z) { return z.midpoint(); }
-inline bool is_certainly_nonzero(const std::complex<double>& z) { return std::abs(z) > kNegligible; }
+inline bool is_certainly_nonzero(const std::complex<double>& z) {
+  return std::abs(z) > kNegligible;
+}
 inline bool is_certainly_nonzero(const ComplexBall& z) { return !z.contains_zero(); }
 inline bool is_certainly_zero(const std::complex<double>& z) { return std::abs(z) <= kNegligible; }
 inline bool is_certainly_zero(const ComplexBall& z) { return z.is_zero(); }
@@ -80,8 +83,12 @@ inline ComplexBall real_part(const ComplexBall& z) { return ComplexBall(z.real()
 inline std::complex<double> root(const std::complex<double>& z) { return std::sqrt(z.real()); }
 inline ComplexBall root(const ComplexBall& z) { return ComplexBall(sqrt(z.real())); }
 inline std::complex<double> imaginary_unit(const std::complex<double>&) { return {0, 1}; }
-inline ComplexBall imaginary_unit(const ComplexBall&) { return ComplexBall(RealBall(), RealBall(1)); }
-inline double size(const std::complex<double>& z) { return std::abs(z.real()) + std::abs(z.imag()); }
+inline ComplexBall imaginary_unit(const ComplexBall&) {
+  return ComplexBall(RealBall(), RealBall(1));
+}
+inline double size(const std::complex<double>& z) {
+  return std::abs(z.real()) + std::abs(z.imag());
+}
 inline double size(const ComplexBall& z) { return size(z.midpoint()); }
 
 template <class C>
@@ -118,7 +125,8 @@ Form<C> real_form(Form<C> form) {
   return form;
 }
 
-/// The form of this degree with value `value` at c whose coefficients have the least sum of squares.
+/// The form of this degree with value `value` at c whose coefficients have the least sum of
+/// squares.
 template <class C>
 Form<C> interpolating_form(const Root<C>& c, const C& value, int degree) {
   Form<C> rho = Form<C>::zero(degree);
@@ -149,8 +157,8 @@ class Factorization {
 
   bool is_balanced() const { return degree_[0] == degree_[1]; }
 
-  /// Takes a root, or for a nonreal one its conjugate, which serves the same pair. False, with nothing
-  /// done, when it cannot be decided whether the kernel leaves the lower column.
+  /// Takes a root, or for a nonreal one its conjugate, which serves the same pair. False, with
+  /// nothing done, when it cannot be decided whether the kernel leaves the lower column.
   bool step(const Root<C>& c) {
     const Vector<C> v = kernel(c);
     if (is_balanced()) {
@@ -201,7 +209,8 @@ class Factorization {
     const C h10 = c.value_of(conj(h_.h01)), h11 = c.value_of(h_.h11);
     const bool upper = size(h00) + size(h01) >= size(h10) + size(h11);
     Vector<C> v = upper ? Vector<C>{-h01, h00} : Vector<C>{-h11, h10};
-    if (!is_finite_and_positive(size(v[0]) + size(v[1]))) throw Undecided("the rank at a root of D");
+    if (!is_finite_and_positive(size(v[0]) + size(v[1])))
+      throw Undecided("the rank at a root of D");
     const C scale(std::exp2(-std::ilogb(size(v[0]) + size(v[1]))));
     return {v[0] * scale, v[1] * scale};
   }
@@ -245,7 +254,8 @@ class Factorization {
     const Form<C> ll = h(low, low);
     const Form<C> hl = h(high, low) + rho_conjugate * ll;
     const Form<C> hh = h(high, high) + rho * h(high, low) + rho_conjugate * conj(hl);
-    set_h(high, real_form(divided_by_conjugate(divided(hh, c), c)), divided_by_conjugate(hl, c), ll);
+    set_h(high, real_form(divided_by_conjugate(divided(hh, c), c)), divided_by_conjugate(hl, c),
+          ll);
     ++degree_[low];
   }
 
@@ -308,10 +318,10 @@ class Factorization {
 
 /// A for the matrix H, whose entries have no common root, and the chosen half of the roots of D.
 ///
-/// In balls every decision is proved; throws Undecided when the precision does not suffice. In doubles
-/// the result is an estimate. The order of the steps only changes A by a constant real factor of u, so
-/// real roots are taken while the degrees are equal, where no decision is needed, and a root that cannot
-/// be decided waits for the others.
+/// In balls every decision is proved; throws Undecided when the precision does not suffice. In
+/// doubles the result is an estimate. The order of the steps only changes A by a constant real
+/// factor of u, so real roots are taken while the degrees are equal, where no decision is needed,
+/// and a root that cannot be decided waits for the others.
 template <class C>
 SpinorMatrix<C> spinor_factorization(HermitianMatrix<C> h, const HalfRoots<C>& roots) {
   using Root = spinor::Root<C>;

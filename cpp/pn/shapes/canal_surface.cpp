@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/shapes/canal_surface.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <optional>
 #include <sstream>
 
+#include "pn/algebra/parallel.hpp"
 #include "pn/algebra/roots.hpp"
 #include "pn/geometry_error.hpp"
 
 namespace pn {
 namespace {
 
-/// OpenCASCADE takes points closer than this [mm] for the same: a zone narrower than that is no face.
+/// OpenCASCADE takes points closer than this [mm] for the same: a zone narrower than that is no
+/// face.
 constexpr double kClosableGap = 1e-7;
 /// A joint that turns by more than this [rad] is a corner whatever its size.
 constexpr double kClosableAngle = 1e-6;
-/// OpenCASCADE's largest degree of a B-spline.
-constexpr int kLargestDegree = 25;
 
 using Vector4 = std::array<Rational, 4>;
 
@@ -80,8 +78,8 @@ std::optional<Interval> first_negative_interval(const RationalPolynomial& p,
 
 /// The Bezier spans of spine and law over their common breaks.
 template <std::size_t Dimension>
-RationalSpan<Dimension> restricted(const PiecewiseRational<Dimension>& function, const Rational& begin,
-                                   const Rational& end) {
+RationalSpan<Dimension> restricted(const PiecewiseRational<Dimension>& function,
+                                   const Rational& begin, const Rational& end) {
   const auto after = std::upper_bound(function.breaks.begin(), function.breaks.end(), begin);
   const auto index = static_cast<std::size_t>(after - function.breaks.begin()) - 1;
   const Rational& first = function.breaks[index];
@@ -94,7 +92,8 @@ RationalSpan<Dimension> restricted(const PiecewiseRational<Dimension>& function,
   return span;
 }
 
-std::vector<Rational> united_breaks(const std::vector<Rational>& a, const std::vector<Rational>& b) {
+std::vector<Rational> united_breaks(const std::vector<Rational>& a,
+                                    const std::vector<Rational>& b) {
   std::vector<Rational> all;
   std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
   return all;
@@ -125,12 +124,11 @@ std::vector<Span> spans_of(const Curve& spine, const Law& law) {
     parts[i] = {restricted(curve, breaks[i], breaks[i + 1]),
                 restricted(radius, breaks[i], breaks[i + 1])};
   }
-  const bool same_weights =
-      std::all_of(parts.begin(), parts.end(), [](const RestrictedSpan& part) {
-        return part.spine.denominator == part.law.denominator;
-      });
+  const bool same_weights = std::all_of(parts.begin(), parts.end(), [](const RestrictedSpan& part) {
+    return part.spine.denominator == part.law.denominator;
+  });
   std::vector<Span> spans(parts.size());
-  tbb::parallel_for(std::size_t{0}, spans.size(), [&](std::size_t i) {
+  for_each_index(spans.size(), [&](std::size_t i) {
     spans[i].spheres = sphere_curve(parts[i], same_weights);
     spans[i].direction = tangent_direction(spans[i].spheres);
     spans[i].begin = breaks[i];
@@ -144,15 +142,16 @@ void require_radius(const Span& span) {
   if (radius.is_zero() || is_positive_on_unit_interval(radius)) return;
   const auto negative = first_negative_interval(radius, roots_in_unit_interval(radius));
   if (!negative) return;
-  throw GeometryError(ErrorCode::kNegativeRadius,
-                      "The radius is negative at " +
-                          interval(span, negative->begin, negative->end) + ".");
+  throw GeometryError(
+      ErrorCode::kNegativeRadius,
+      "The radius is negative at " + interval(span, negative->begin, negative->end) + ".");
 }
 
 void require_envelope(const Span& span) {
   if (span.direction.content.is_zero()) {
-    throw GeometryError(ErrorCode::kZeroLength, "The spine stands still at " + interval(span, 0, 1) +
-                                                    ": this span has no length.");
+    throw GeometryError(
+        ErrorCode::kZeroLength,
+        "The spine stands still at " + interval(span, 0, 1) + ": this span has no length.");
   }
   const RationalPolynomial discriminant = span.direction.circles.discriminant();
   if (discriminant.is_zero()) {
@@ -163,10 +162,11 @@ void require_envelope(const Span& span) {
   if (is_positive_on_unit_interval(discriminant)) return;
   const std::vector<RealRoot> roots = roots_in_unit_interval(discriminant);
   if (const auto steep = first_negative_interval(discriminant, roots)) {
-    throw GeometryError(ErrorCode::kRadiusTooSteep,
-                        "The radius changes faster than the spine advances at " +
-                            interval(span, steep->begin, steep->end) +
-                            ": there the spheres have no envelope. Let the radius change more slowly.");
+    throw GeometryError(
+        ErrorCode::kRadiusTooSteep,
+        "The radius changes faster than the spine advances at " +
+            interval(span, steep->begin, steep->end) +
+            ": there the spheres have no envelope. Let the radius change more slowly.");
   }
   const double touch = roots.front().value.midpoint();
   throw GeometryError(ErrorCode::kPinched,
@@ -175,28 +175,15 @@ void require_envelope(const Span& span) {
                           ": the envelope shrinks to a point there.");
 }
 
-void require_degree(const Span& span, int degree, const std::string& advice) {
-  if (degree <= kLargestDegree) return;
-  throw GeometryError(
-      ErrorCode::kDegreeTooHigh,
-      "The exact surface at " + interval(span, 0, 1) + " would have degree " + std::to_string(degree) +
-          " along the spine; CAD systems stop at " + std::to_string(kLargestDegree) + ". " + advice);
-}
-
-/// Refuses early what no choice of roots can save.
-void require_least_degree(const Span& span) {
-  const int k = span.spheres.degree(), h = span.direction.circles.degree();
-  require_degree(span, k + 2 * ((h + 1) / 2),
-                 "Lower the degree of spine and radius (now " + std::to_string(k) +
-                     "), for instance by a cubic B-spline.");
-}
-
-void require_reached_degree(const Span& span, const AlongCurve& envelope) {
-  require_degree(span, envelope.degree(),
-                 envelope.is_substituted()
-                     ? "The quick change of the radius doubles it: let the radius change more slowly, "
-                       "or lower the degree of spine and radius."
-                     : "Lower the degree of spine and radius, for instance by a cubic B-spline.");
+/// The envelope along a span or a corner; an error says where.
+AlongCurve envelope_along(const SphereCurve& spheres, const CircleFamily& circles,
+                          const Span& span) {
+  try {
+    return AlongCurve(spheres, circles);
+  } catch (const GeometryError& error) {
+    throw GeometryError(error.code(),
+                        std::string(error.what()) + ", at " + interval(span, 0, 1) + ".");
+  }
 }
 
 Vector4 circle_at(const CircleFamily& circles, long t) {
@@ -229,8 +216,7 @@ double angle(const Vector4& a, const Vector4& b) {
 
 /// The sign of p just inside the end t of [0, 1].
 int sign_near(const RationalPolynomial& p, long end) {
-  const RationalPolynomial from_end =
-      end == 0 ? p : p.on_interval(Rational(1), Rational(-1));
+  const RationalPolynomial from_end = end == 0 ? p : p.on_interval(Rational(1), Rational(-1));
   for (int i = 0; i <= from_end.degree(); ++i) {
     const int sign = from_end.coefficient(i).sign();
     if (sign != 0) return sign;
@@ -312,10 +298,11 @@ CircleFamily turning_circles(const Vector4& left, const Vector4& right, const Sp
                         between(left[2] * a, right[2] * b)},
                        between(left[3] * a, right[3] * b)};
   if (!is_positive_on_unit_interval(circles.discriminant())) {
-    throw GeometryError(ErrorCode::kCornerTooSharp,
-                        "The spine or the radius turns too sharply at parameter " +
-                            show(at.begin.to_double()) + ", point " + place(at, 0) +
-                            ": the circles on both sides cannot be joined by a zone of the sphere.");
+    throw GeometryError(
+        ErrorCode::kCornerTooSharp,
+        "The spine or the radius turns too sharply at parameter " + show(at.begin.to_double()) +
+            ", point " + place(at, 0) +
+            ": the circles on both sides cannot be joined by a zone of the sphere.");
   }
   return circles;
 }
@@ -328,14 +315,13 @@ class ChainBuilder {
   EnvelopeChain chain() {
     plan();
     std::vector<std::optional<AlongCurve>> envelopes(plans_.size());
-    tbb::parallel_for(std::size_t{0}, plans_.size(), [&](std::size_t i) {
-      envelopes[i].emplace(plans_[i].spheres, plans_[i].direction.circles);
+    for_each_index(plans_.size(), [&](std::size_t i) {
+      envelopes[i] =
+          envelope_along(plans_[i].spheres, plans_[i].direction.circles, spans_[plans_[i].span]);
     });
     for (std::size_t i = 0; i < plans_.size(); ++i) {
-      require_reached_degree(spans_[plans_[i].span], *envelopes[i]);
-      chain_.links.push_back(
-          {std::move(*envelopes[i]), plans_[i].direction.content, plans_[i].begin, plans_[i].end,
-           plans_[i].joint_before});
+      chain_.links.push_back({std::move(*envelopes[i]), plans_[i].direction.content,
+                              plans_[i].begin, plans_[i].end, plans_[i].joint_before});
     }
     separate_substituted_links();
     return std::move(chain_);
@@ -363,7 +349,8 @@ class ChainBuilder {
   /// The joint of a span to the one before; a corner gets its zone, which comes in between.
   Joint joint_between(std::size_t before, std::size_t after) {
     const Span &left = spans_[before], &right = spans_[after];
-    const Vector4 a = circle_at(left.direction.circles, 1), b = circle_at(right.direction.circles, 0);
+    const Vector4 a = circle_at(left.direction.circles, 1),
+                  b = circle_at(right.direction.circles, 0);
     if (is_same_circle(a, b)) return is_smooth(left, right) ? Joint::kSmooth : Joint::kTangent;
     const double turn = angle(a, b);
     if (turn <= kClosableAngle && turn * std::abs(radius_at_start(right)) <= kClosableGap) {
@@ -373,8 +360,8 @@ class ChainBuilder {
       return Joint::kTangent;
     }
     const double t = left.end.to_double();
-    plans_.push_back({after, standing_sphere(right), {turning_circles(a, b, right), {}}, t, t,
-                      Joint::kTangent});
+    plans_.push_back(
+        {after, standing_sphere(right), {turning_circles(a, b, right), {}}, t, t, Joint::kTangent});
     return Joint::kTangent;
   }
 
@@ -389,7 +376,8 @@ class ChainBuilder {
            std::equal(last.centre.begin(), last.centre.end(), first.centre.begin(), meets);
   }
 
-  /// Across a substituted link the parameter does not run on evenly, so its joints are only tangent.
+  /// Across a substituted link the parameter does not run on evenly, so its joints are only
+  /// tangent.
   void separate_substituted_links() {
     const std::size_t count = chain_.links.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -414,7 +402,6 @@ EnvelopeChain canal_surface(const Curve& spine, const Law& radius) {
   for (const Span& span : spans) {
     require_radius(span);
     require_envelope(span);
-    require_least_degree(span);
   }
   return ChainBuilder(oriented(std::move(spans))).chain();
 }

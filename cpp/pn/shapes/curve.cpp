@@ -19,7 +19,8 @@ void require_finite(const BSplineData<Dimension>& data) {
   bool all = std::all_of(data.knots.begin(), data.knots.end(), finite) &&
              std::all_of(data.weights.begin(), data.weights.end(), finite);
   for (const auto& pole : data.poles) all = all && std::all_of(pole.begin(), pole.end(), finite);
-  if (!all) throw GeometryError(ErrorCode::kNotFinite, "A pole, weight or knot is not a finite number.");
+  if (!all)
+    throw GeometryError(ErrorCode::kNotFinite, "A pole, weight or knot is not a finite number.");
 }
 
 template <std::size_t Dimension>
@@ -86,14 +87,15 @@ std::vector<Rational> exact(const std::vector<double>& values) {
 std::vector<Rational> flat_knots(const std::vector<Rational>& knots,
                                  const std::vector<int>& multiplicities) {
   std::vector<Rational> flat;
-  for (std::size_t i = 0; i < knots.size(); ++i) flat.insert(flat.end(), multiplicities[i], knots[i]);
+  for (std::size_t i = 0; i < knots.size(); ++i)
+    flat.insert(flat.end(), multiplicities[i], knots[i]);
   return flat;
 }
 
-/// The polar form of the B-spline's segment over [flat[last], flat[last + 1]] at `degree` arguments:
-/// de Boor's algorithm with a new argument in every round.
-Rational blossom(const std::vector<Rational>& flat, std::size_t last, std::vector<Rational> controls,
-                 const std::vector<Rational>& arguments) {
+/// The polar form of the B-spline's segment over [flat[last], flat[last + 1]] at `degree`
+/// arguments: de Boor's algorithm with a new argument in every round.
+Rational blossom(const std::vector<Rational>& flat, std::size_t last,
+                 std::vector<Rational> controls, const std::vector<Rational>& arguments) {
   const std::size_t degree = arguments.size();
   for (std::size_t round = 0; round < degree; ++round) {
     for (std::size_t j = degree; j > round; --j) {
@@ -154,8 +156,9 @@ PiecewiseRational<Dimension> piecewise(const BSplineData<Dimension>& data) {
   PiecewiseRational<Dimension> function;
   function.breaks = exact(data.knots);
   const std::vector<Rational> flat = flat_knots(function.breaks, data.multiplicities);
-  const std::vector<Rational> weights =
-      data.weights.empty() ? std::vector<Rational>(data.poles.size(), Rational(1)) : exact(data.weights);
+  const std::vector<Rational> weights = data.weights.empty()
+                                            ? std::vector<Rational>(data.poles.size(), Rational(1))
+                                            : exact(data.weights);
   std::array<std::vector<Rational>, Dimension> homogeneous;
   for (std::size_t c = 0; c < Dimension; ++c) {
     for (std::size_t i = 0; i < data.poles.size(); ++i) {
@@ -242,9 +245,10 @@ PiecewiseRational<1> Law::over(const Rational& begin, const Rational& end) const
   } else if (function.breaks.front() != begin || function.breaks.back() != end) {
     const auto show = [](const Rational& x) { return std::to_string(x.to_double()); };
     throw GeometryError(ErrorCode::kDomainMismatch,
-                        "The radius law is defined over parameters " + show(function.breaks.front()) +
-                            " to " + show(function.breaks.back()) + ", the spine over " + show(begin) +
-                            " to " + show(end) + "; give both the same knots at their ends.");
+                        "The radius law is defined over parameters " +
+                            show(function.breaks.front()) + " to " + show(function.breaks.back()) +
+                            ", the spine over " + show(begin) + " to " + show(end) +
+                            "; give both the same knots at their ends.");
   }
   return function;
 }

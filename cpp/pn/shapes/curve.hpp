@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Spines and radius laws: piecewise rational functions of a designer's doubles, over Q.
 //
-// A curve is a chain of spans. Each span is a rational function of a local parameter on [0, 1], exact:
-// the B-spline's Bezier points are found by blossoming over Q (L. Ramshaw, Blossoms are polar forms,
-// CAGD 6, 1989), so no knot is inserted in floating point. Degrees are those the data really have.
+// A curve is a chain of spans. Each span is a rational function of a local parameter on [0, 1],
+// exact: the B-spline's Bezier points are found by blossoming over Q (L. Ramshaw, Blossoms are
+// polar forms, CAGD 6, 1989), so no knot is inserted in floating point. Degrees are those the data
+// really have.
 #pragma once
 
 #include <array>
@@ -27,8 +28,8 @@ struct PiecewiseRational {
   std::vector<RationalSpan<Dimension>> spans;
 };
 
-/// The data of a clamped B-spline, as OpenCASCADE and STEP give them: strictly increasing knots with
-/// multiplicities, the first and the last degree + 1; as many weights as poles, or none.
+/// The data of a clamped B-spline, as OpenCASCADE and STEP give them: strictly increasing knots
+/// with multiplicities, the first and the last degree + 1; as many weights as poles, or none.
 template <std::size_t Dimension>
 struct BSplineData {
   int degree = 0;
@@ -45,8 +46,8 @@ class Curve {
   static Curve bezier(const std::vector<std::array<double, 3>>& poles,
                       const std::vector<double>& weights = {});
   static Curve bspline(const BSplineData<3>& data);
-  /// The curves end to end, each over an interval of its own length, the first where it lies. Each must
-  /// begin at the very point where the one before ends.
+  /// The curves end to end, each over an interval of its own length, the first where it lies. Each
+  /// must begin at the very point where the one before ends.
   static Curve chain(const std::vector<Curve>& curves);
 
   const PiecewiseRational<3>& function() const { return function_; }
@@ -63,7 +64,8 @@ class Law {
  public:
   /// The same value for every parameter; fits a spine of any domain.
   static Law constant(double value);
-  static Law bezier(const std::vector<double>& coefficients, const std::vector<double>& weights = {});
+  static Law bezier(const std::vector<double>& coefficients,
+                    const std::vector<double>& weights = {});
   static Law bspline(const BSplineData<1>& data);
 
   /// The law over the domain of a spine. Throws GeometryError when it is defined elsewhere.

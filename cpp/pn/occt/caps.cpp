@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/occt/caps.hpp"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepLib.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_Plane.hxx>
+#include <Precision.hxx>
+#include <ShapeAnalysis_FreeBounds.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include "pn/occt/occt_error.hpp"
+
+namespace pn {
+namespace {
+
+// A leg of a control polygon.
+struct Leg {
+  gp_Pnt start;
+  gp_Pnt end;
+};
+
+// The control polygon of a closed wire of B-spline edges: legs in the direction of the wire, in any
+// order. Each pole starts one leg.
+std::vector<Leg> control_polygon(const TopoDS_Wire& wire) {
+  std::vector<Leg> legs;
+  for (TopExp_Explorer explorer(wire, TopAbs_EDGE); explorer.More(); explorer.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(explorer.Current());
+    const auto curve = BRepAdaptor_Curve(edge).BSpline();
+    const bool forward = edge.Orientation() == TopAbs_FORWARD;
+    for (int i = 1; i < curve->NbPoles(); ++i) {
+      const gp_Pnt pole = curve->Pole(i);
+      const gp_Pnt next = curve->Pole(i + 1);
+      legs.push_back(forward ? Leg{pole, next} : Leg{next, pole});
+    }
+  }
+  return legs;
+}
+
+gp_Pnt centroid(const std::vector<Leg>& polygon) {
+  gp_XYZ sum(0, 0, 0);
+  for (const Leg& leg : polygon) sum += leg.start.XYZ();
+  return gp_Pnt(sum / static_cast<double>(polygon.size()));
+}
+
+// The plane around which a closed polygon runs counterclockwise: its normal is the vector area.
+gp_Pln plane_of(const std::vector<Leg>& polygon) {
+  const gp_Pnt centre = centroid(polygon);
+  gp_Vec area(0, 0, 0);
+  for (const Leg& leg : polygon) area += gp_Vec(centre, leg.start).Crossed({centre, leg.end});
+  return gp_Pln(centre, gp_Dir(area));
+}
+
+// A curve with positive weights stays in the convex hull of its poles: when they are near the
+// plane, so is the curve.
+bool lies_in(const gp_Pln& plane, const std::vector<Leg>& polygon) {
+  return std::all_of(polygon.begin(), polygon.end(), [&](const Leg& leg) {
+    return plane.Distance(leg.start) <= Precision::Confusion();
+  });
+}
+
+// The planar face to the left of `boundary`.
+TopoDS_Face cap(const TopoDS_Wire& boundary) {
+  const std::vector<Leg> polygon = control_polygon(boundary);
+  const gp_Pln plane = plane_of(polygon);
+  if (!lies_in(plane, polygon)) {
+    throw std::invalid_argument("A free boundary of the shell is not planar: it cannot be capped.");
+  }
+  const BRep_Builder builder;
+  TopoDS_Face face;
+  builder.MakeFace(face, new Geom_Plane(plane), Precision::Confusion());
+  builder.Add(face, boundary);
+  return face;
+}
+
+// The closed free boundaries of a shell, each in the direction in which a cap runs it, which is
+// against the shell's own faces.
+std::vector<TopoDS_Wire> free_boundaries(const TopoDS_Shell& shell) {
+  const ShapeAnalysis_FreeBounds bounds(shell);
+  if (TopExp_Explorer(bounds.GetOpenWires(), TopAbs_WIRE).More()) {
+    throw std::invalid_argument("A free boundary of the shell is not closed.");
+  }
+  std::vector<TopoDS_Wire> wires;
+  for (TopExp_Explorer wire(bounds.GetClosedWires(), TopAbs_WIRE); wire.More(); wire.Next()) {
+    wires.push_back(TopoDS::Wire(wire.Current().Reversed()));
+  }
+  return wires;
+}
+
+// Adds the faces of `shell` as they are, so that the shell itself stays open.
+TopoDS_Shell capped(const TopoDS_Shell& shell) {
+  const BRep_Builder builder;
+  TopoDS_Shell result;
+  builder.MakeShell(result);
+  for (TopExp_Explorer face(shell, TopAbs_FACE); face.More(); face.Next()) {
+    builder.Add(result, face.Current());
+  }
+  for (const TopoDS_Wire& boundary : free_boundaries(shell)) builder.Add(result, cap(boundary));
+  result.Closed(BRep_Tool::IsClosed(result));
+  return result;
+}
+
+}  // namespace
+
+TopoDS_Solid make_capped_solid(const TopoDS_Shell& shell) {
+  return with_occt_errors([&] {
+    const BRep_Builder builder;
+    TopoDS_Solid solid;
+    builder.MakeSolid(solid);
+    builder.Add(solid, capped(shell));
+    BRepLib::OrientClosedSolid(solid);
+    return solid;
+  });
+}
+
+}  // namespace pn

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The Python module pnocct: B-spline faces as shapes of OpenCASCADE, passed as BREP text.
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "pn/occt/brep.hpp"
+#include "pn/occt/bspline_geometry.hpp"
+#include "pn/occt/caps.hpp"
+#include "pn/occt/mass.hpp"
+#include "pn/occt/occt_error.hpp"
+#include "pn/occt/shape_check.hpp"
+#include "pn/occt/shell.hpp"
+#include "pn/occt/step.hpp"
+
+namespace py = pybind11;
+
+namespace {
+
+using DoubleArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+// Any object with the attributes of pnkernel.BSplineSurface.
+pn::BSplineSurface surface_from(const py::handle& face) {
+  pn::BSplineSurface surface;
+  surface.u_degree = face.attr("u_degree").cast<int>();
+  surface.v_degree = face.attr("v_degree").cast<int>();
+  surface.u_knots = face.attr("u_knots").cast<std::vector<double>>();
+  surface.v_knots = face.attr("v_knots").cast<std::vector<double>>();
+  surface.u_multiplicities = face.attr("u_multiplicities").cast<std::vector<int>>();
+  surface.v_multiplicities = face.attr("v_multiplicities").cast<std::vector<int>>();
+  const auto poles = face.attr("poles").cast<DoubleArray>();
+  const auto weights = face.attr("weights").cast<DoubleArray>();
+  if (poles.ndim() != 3 || poles.shape(2) != 3) {
+    throw std::invalid_argument("The poles of a face have the shape (nu, nv, 3).");
+  }
+  if (weights.ndim() != 2 || weights.shape(0) != poles.shape(0) ||
+      weights.shape(1) != poles.shape(1)) {
+    throw std::invalid_argument("The weights of a face have the shape (nu, nv) of its poles.");
+  }
+  if (py::len(face.attr("trims")) != 0) {
+    throw std::invalid_argument("Trimmed faces cannot be made into a shell.");
+  }
+  for (py::ssize_t i = 0; i < poles.shape(0); ++i) {
+    for (py::ssize_t j = 0; j < poles.shape(1); ++j) {
+      surface.poles.push_back({poles.at(i, j, 0), poles.at(i, j, 1), poles.at(i, j, 2)});
+      surface.weights.push_back(weights.at(i, j));
+    }
+  }
+  return surface;
+}
+
+py::object face_from(const pn::BSplineSurface& surface) {
+  using py::literals::operator""_a;
+  const auto nu = static_cast<py::ssize_t>(surface.u_count());
+  const auto nv = static_cast<py::ssize_t>(surface.v_count());
+  const auto array = [](const auto& values) { return py::array(values.size(), values.data()); };
+  return py::module_::import("types").attr("SimpleNamespace")(
+      "u_degree"_a = surface.u_degree, "v_degree"_a = surface.v_degree,
+      "u_knots"_a = array(surface.u_knots), "v_knots"_a = array(surface.v_knots),
+      "u_multiplicities"_a = array(surface.u_multiplicities),
+      "v_multiplicities"_a = array(surface.v_multiplicities),
+      "poles"_a = DoubleArray({nu, nv, py::ssize_t{3}}, surface.poles.front().data()),
+      "weights"_a = DoubleArray({nu, nv}, surface.weights.data()), "trims"_a = py::list());
+}
+
+TopoDS_Shell shell_of(const py::iterable& faces) {
+  std::vector<pn::BSplineSurface> surfaces;
+  for (const py::handle face : faces) surfaces.push_back(surface_from(face));
+  return pn::make_shell(surfaces);
+}
+
+std::string shell(const py::iterable& faces) { return pn::to_brep(shell_of(faces)); }
+
+std::string capped_solid(const py::iterable& faces) {
+  return pn::to_brep(pn::make_capped_solid(shell_of(faces)));
+}
+
+std::vector<std::string> check(const std::string& brep, bool boolean) {
+  const TopoDS_Shape shape = pn::from_brep(brep);
+  const auto faults = pn::faults(shape);
+  return faults.empty() && boolean ? pn::boolean_faults(shape) : faults;
+}
+
+pn::StepSchema schema_named(const std::string& name) {
+  if (name == "AP203") return pn::StepSchema::kAp203;
+  if (name == "AP214") return pn::StepSchema::kAp214;
+  if (name == "AP242") return pn::StepSchema::kAp242;
+  throw std::invalid_argument("The STEP schema is AP203, AP214 or AP242, not " + name + ".");
+}
+
+void write_step(const std::filesystem::path& path, const std::vector<std::string>& shapes,
+                const std::vector<std::string>& names, const std::string& schema, bool pcurves) {
+  if (shapes.size() != names.size()) {
+    throw std::invalid_argument("Every shape of a STEP file needs one name.");
+  }
+  std::vector<pn::NamedShape> named;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    named.push_back({pn::from_brep(shapes[i]), names[i]});
+  }
+  pn::write_step(path, named, {schema_named(schema), pcurves});
+}
+
+std::vector<std::string> read_step(const std::filesystem::path& path) {
+  std::vector<std::string> shapes;
+  for (const TopoDS_Shape& shape : pn::read_step(path)) shapes.push_back(pn::to_brep(shape));
+  return shapes;
+}
+
+std::vector<py::object> faces(const std::string& brep) {
+  std::vector<py::object> result;
+  for (const pn::BSplineSurface& surface : pn::bspline_surfaces(pn::from_brep(brep))) {
+    result.push_back(face_from(surface));
+  }
+  return result;
+}
+
+double volume(const std::string& brep) { return pn::volume(pn::from_brep(brep)); }
+double area(const std::string& brep) { return pn::area(pn::from_brep(brep)); }
+
+// Files that cannot be opened or written are OSErrors, with the file's name and the system's
+// reason.
+void translate_file_error(std::exception_ptr error) {
+  try {
+    if (error) std::rethrow_exception(error);
+  } catch (const std::filesystem::filesystem_error& file_error) {
+    errno = file_error.code().value();
+    PyErr_SetFromErrnoWithFilename(PyExc_OSError, file_error.path1().c_str());
+  }
+}
+
+}  // namespace
+
+PYBIND11_MODULE(pnocct, m) {
+  using py::literals::operator""_a;
+  m.doc() =
+      "B-spline faces as shapes of OpenCASCADE: shells, solids, checks, measures and STEP.\n\n"
+      "Shapes are BREP texts (str), which FreeCAD reads with Part.Shape.importBrepFromString.\n"
+      "Lengths are millimetres. A face is any object with the attributes of\n"
+      "pnkernel.BSplineSurface, without trims. Input that cannot be a shape raises ValueError,\n"
+      "a failure inside OpenCASCADE raises OcctError.";
+  py::register_exception<pn::OcctError>(m, "OcctError", PyExc_RuntimeError).doc() =
+      "A failure inside OpenCASCADE, with OpenCASCADE's message.";
+  py::register_local_exception_translator(translate_file_error);
+
+  m.def("shell", &shell, "faces"_a,
+        "Return the shell of the faces.\n\n"
+        "Sides of faces that have the same poles, bit for bit and in either direction, are one\n"
+        "edge. Raises ValueError when the faces do not hang together.");
+  m.def("capped_solid", &capped_solid, "faces"_a,
+        "Return the solid inside the shell of the faces, its open ends closed by planar faces.\n\n"
+        "Raises ValueError when an open end is not planar or not closed.");
+  m.def("check", &check, "brep"_a, "boolean"_a = false,
+        "Return the faults of a shape as sentences; none when it is valid.\n\n"
+        "With boolean=True a valid shape is also examined as an argument of Boolean operations,\n"
+        "as FreeCAD's Shape.check(True) does; this takes some 40 ms a face.");
+  m.def("volume", &volume, "brep"_a,
+        "Return the volume (mm^3) inside the closed shells of a shape, by adaptive quadrature.\n\n"
+        "Raises ValueError when no shell is closed.");
+  m.def("area", &area, "brep"_a,
+        "Return the area (mm^2) of the faces of a shape, by adaptive quadrature.");
+  m.def("write_step", &write_step, "path"_a, "shapes"_a, "names"_a, "schema"_a = "AP214",
+        "pcurves"_a = true,
+        "Write shapes to a STEP file, one product each, with every double kept.\n\n"
+        "names has one name for each shape; schema is AP203, AP214 or AP242; pcurves=False leaves\n"
+        "out the p-curves of the edges. The file appears only when it is complete. Raises OSError\n"
+        "when it cannot be written.");
+  m.def("read_step", &read_step, "path"_a,
+        "Return the shapes of a STEP file, one for each root product.\n\n"
+        "Raises OSError when the file cannot be opened, OcctError when nothing can be read.");
+  m.def("faces", &faces, "brep"_a,
+        "Return the surfaces under the faces of a shape, whole even where a face is trimmed.\n\n"
+        "They are plain objects with the attributes of pnkernel.BSplineSurface; periodic surfaces\n"
+        "come back clamped. Raises ValueError when a face does not lie on a B-spline surface.");
+}
