@@ -1,236 +1,288 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/bezier/offset_limits.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 #include <vector>
 
-#include "pn/algebra/form.hpp"
+#include "pn/algebra/bernstein.hpp"
+#include "pn/algebra/parallel.hpp"
+#include "pn/algebra/roots.hpp"
 
 namespace pn {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Bounds are wanted in doubles; a little more keeps the roundings of a few hundred operations
-/// away.
-constexpr long kBits = 80;
-/// Beyond this many intervals the bound reached so far is returned: still proven, only less tight.
-constexpr int kMostIntervals = 100000;
+/// Differences of 1e-9 of large coefficients of degree 40 are still certain with so many bits.
+constexpr long kBits = 192;
+/// Intervals are halved this often before a distance counts as not provable.
+constexpr int kMostHalvings = 40;
+/// Samples that look for the critical place of a link; the proof does not rest on them.
+constexpr int kSamples = 33;
 
-/// A function value with its derivative by t, both enclosed over an interval of t.
-struct Jet {
-  RealBall value, slope;
+/// Where no sample is finite but no proof succeeds either, so many tolerances are proved instead:
+/// with the default tolerance a billion times the size of the surface.
+constexpr double kFarthest = 1e18;
+
+using Polynomial = std::vector<RealBall>;  // Bernstein coefficients
+
+Form<RealBall> in_balls(const RationalPolynomial& p) {
+  std::vector<RealBall> result;
+  for (const Rational& c : coefficients(p, std::max(p.degree(), 0))) result.emplace_back(c, kBits);
+  return Form<RealBall>(std::move(result));
+}
+
+Form<double> in_doubles(const RationalPolynomial& p) {
+  std::vector<double> result;
+  for (const Rational& c : coefficients(p, std::max(p.degree(), 0)))
+    result.push_back(c.to_double());
+  return Form<double>(std::move(result));
+}
+
+/// The sum of two polynomials of different degrees.
+Form<RealBall> sum(const Form<RealBall>& a, const Form<RealBall>& b) {
+  const int degree = std::max(a.degree(), b.degree());
+  return a.elevated(degree) + b.elevated(degree);
+}
+
+/// The halves of a Bernstein polynomial (P. de Casteljau).
+std::array<Polynomial, 2> halved(Polynomial b) {
+  Polynomial left, right(b.size());
+  for (std::size_t n = b.size(); n > 0; --n) {
+    left.push_back(b.front());
+    right[n - 1] = b[n - 1];
+    for (std::size_t i = 0; i + 1 < n; ++i) b[i] = scaled(b[i] + b[i + 1], -1);
+  }
+  return {std::move(left), std::move(right)};
+}
+
+bool is_positive(const Polynomial& b) {
+  return std::all_of(b.begin(), b.end(), [](const RealBall& c) { return c.is_positive(); });
+}
+
+/// A bound on the distances of one link: finite where `sample` is, and provable.
+class Limit {
+ public:
+  virtual ~Limit() = default;
+  /// The limit at a parameter, as an estimate.
+  virtual double sample(double t) const = 0;
+  /// Polynomials whose positivity on [0, 1] proves that `distance` is within the limit everywhere.
+  virtual std::vector<Form<RealBall>> conditions(double distance) const = 0;
 };
 
-Jet operator+(const Jet& a, const Jet& b) { return {a.value + b.value, a.slope + b.slope}; }
-Jet operator-(const Jet& a, const Jet& b) { return {a.value - b.value, a.slope - b.slope}; }
-Jet operator*(const Jet& a, const Jet& b) {
-  return {a.value * b.value, a.slope * b.value + a.value * b.slope};
-}
-Jet operator/(const Jet& a, const Jet& b) {
-  const RealBall quotient = a.value / b.value;
-  return {quotient, (a.slope - quotient * b.slope) / b.value};
-}
-Jet operator-(const Jet& a) { return {-a.value, -a.slope}; }
-Jet sqrt(const Jet& a) {
-  const RealBall root = sqrt(a.value);
-  return {root, a.slope / (root * RealBall(2))};
-}
-
-/// A polynomial and its derivative in balls.
-class BallPolynomial {
+/// -d < r: the limit r of the distance inwards.
+class RadiusLimit : public Limit {
  public:
-  explicit BallPolynomial(const RationalPolynomial& p)
-      : value_(in_balls(p)), slope_(in_balls(p.derivative())) {}
-  Jet operator()(const RealBall& t) const { return {value_(t), slope_(t)}; }
+  explicit RadiusLimit(const SphereCurve& curve)
+      : radius_(in_balls(curve.radius)),
+        denominator_(in_balls(curve.denominator)),
+        radius_estimate_(in_doubles(curve.radius)),
+        denominator_estimate_(in_doubles(curve.denominator)) {}
+
+  double sample(double t) const override { return radius_estimate_(t) / denominator_estimate_(t); }
+  std::vector<Form<RealBall>> conditions(double inwards) const override {
+    return {sum(radius_, denominator_ * RealBall(-inwards))};
+  }
 
  private:
-  static Form<RealBall> in_balls(const RationalPolynomial& p) {
-    std::vector<RealBall> result;
-    for (const Rational& c : coefficients(p, std::max(p.degree(), 0)))
-      result.emplace_back(c, kBits);
-    return Form<RealBall>(std::move(result));
-  }
-  Form<RealBall> value_, slope_;
+  Form<RealBall> radius_, denominator_;
+  Form<double> radius_estimate_, denominator_estimate_;
 };
 
-/// A function on [0, 1] with a lower bound on intervals and an upper bound of its minimum at
-/// points.
-class BoundedFunction {
+/// d < lambda D / K - r where K > 0: the limit outwards.
+class FocalLimit : public Limit {
  public:
-  virtual ~BoundedFunction() = default;
-  /// No value on [low, high] is less.
-  virtual double lower_bound(double low, double high) const = 0;
-  /// Some value near t is not larger.
-  virtual double value_bound(double t) const = 0;
-};
+  explicit FocalLimit(const ChainLink& link)
+      : FocalLimit(link.envelope.curve(), link.envelope.circles(), link.content) {}
 
-RealBall interval(double low, double high) { return RealBall::between(low, high, kBits); }
+  /// K <= 0 on the whole link, proved: no distance outwards is too large.
+  bool is_unlimited() const { return unlimited_; }
 
-double finite_or(double x, double otherwise) { return std::isnan(x) ? otherwise : x; }
-
-/// The better of the range of a jet and its mean value form about the middle.
-double mean_value_bound(const Jet& over, const Jet& at_middle, double low, double high) {
-  const double natural = finite_or(over.value.lower(), -kInfinity);
-  const RealBall half(RealBall(high) - RealBall(low));
-  const RealBall form = at_middle.value - abs(over.slope) * half * RealBall(0.5);
-  return std::max(natural, finite_or(form.lower(), -kInfinity));
-}
-
-class RadiusFunction : public BoundedFunction {
- public:
-  explicit RadiusFunction(const SphereCurve& curve)
-      : radius_(curve.radius), denominator_(curve.denominator) {}
-
-  double lower_bound(double low, double high) const override {
-    return mean_value_bound(at(interval(low, high)), at(RealBall(0.5 * (low + high))), low, high);
+  double sample(double t) const override {
+    const double turn = turn_estimate_(t) + std::sqrt(std::max(0.0, spread_estimate_(t)));
+    if (turn <= 0) return kInfinity;
+    const double q = denominator_estimate_(t);
+    return advance_estimate_(t) / (q * q * turn) - radius_estimate_(t) / q;
   }
-  double value_bound(double t) const override { return at(RealBall(t)).value.upper(); }
+
+  std::vector<Form<RealBall>> conditions(double distance) const override {
+    const Form<RealBall> rho = sum(radius_, denominator_ * RealBall(distance)) * denominator_;
+    const Form<RealBall> a = sum(advance_, rho * turn_ * RealBall(-1));
+    return {a, sum(a * a, rho * rho * spread_ * RealBall(-1))};
+  }
 
  private:
-  Jet at(const RealBall& t) const {
-    const RealBall precise = t.at_precision(kBits);
-    return radius_(precise) / denominator_(precise);
-  }
-  BallPolynomial radius_, denominator_;
-};
-
-/// The focal distance lambda D / K - r where K > 0, infinite elsewhere.
-class FocalDistance : public BoundedFunction {
- public:
-  FocalDistance(const ChainLink& link) : FocalDistance(link.envelope, link.content) {}
-
-  double lower_bound(double low, double high) const override {
-    const Values over = at(interval(low, high));
-    const double largest_turn = over.turn.value.upper();
-    if (largest_turn <= 0) return kInfinity;
-    if (over.turn.value.is_positive()) {
-      const Values middle = at(RealBall(0.5 * (low + high)));
-      return mean_value_bound(distance(over), distance(middle), low, high);
+  FocalLimit(const SphereCurve& curve, const CircleFamily& circles, RationalPolynomial content)
+      : radius_(in_balls(curve.radius)),
+        denominator_(in_balls(curve.denominator)),
+        radius_estimate_(in_doubles(curve.radius)),
+        denominator_estimate_(in_doubles(curve.denominator)) {
+    const CircleFamily slope = derivative(circles);
+    const RationalPolynomial square = dot(circles, circles), mixed = dot(circles, slope);
+    const RationalPolynomial discriminant = circles.discriminant();
+    RationalPolynomial turn = slope.level * square - circles.level * mixed;
+    // A span that runs backwards from a cusp before it has lambda < 0 and the other sign of n.M' +
+    // R'.
+    if (content(Rational(1) / Rational(2)).sign() < 0) {
+      content = -content;
+      turn = -turn;
     }
-    const RealBall bound =
-        RealBall(std::max(0.0, over.advance.value.lower())) / RealBall(largest_turn) -
-        RealBall(over.radius.value.upper());
-    return finite_or(bound.lower(), -kInfinity);
+    const RationalPolynomial advance = content * discriminant * square;
+    const RationalPolynomial spread = discriminant * (square * dot(slope, slope) - mixed * mixed);
+    unlimited_ = is_non_positive(turn) && is_non_negative(turn * turn - spread);
+    advance_ = in_balls(advance);
+    turn_ = in_balls(turn);
+    spread_ = in_balls(spread);
+    advance_estimate_ = in_doubles(advance);
+    turn_estimate_ = in_doubles(turn);
+    spread_estimate_ = in_doubles(spread);
   }
-  double value_bound(double t) const override {
-    const Values values = at(RealBall(t));
-    if (!values.turn.value.is_positive()) return kInfinity;
-    return finite_or(distance(values).value.upper(), kInfinity);
-  }
-
- private:
-  /// |lambda| D |M|^2, K |M|^2 for the sign of lambda, and r.
-  struct Values {
-    Jet advance, turn, radius;
-  };
-
-  FocalDistance(const AlongCurve& envelope, const RationalPolynomial& content)
-      : FocalDistance(envelope.curve(), envelope.circles(), content) {}
-
-  FocalDistance(const SphereCurve& curve, const CircleFamily& circles,
-                const RationalPolynomial& content)
-      : advance_(content * circles.discriminant() * squared_axis(circles)),
-        mean_turn_(mean_turn(circles)),
-        spread_squared_(circles.discriminant() * squared_cross(circles)),
-        has_spread_(!squared_cross(circles).is_zero()),
-        radius_(curve.radius),
-        denominator_(curve.denominator) {}
 
   static RationalPolynomial dot(const CircleFamily& a, const CircleFamily& b) {
     return a.axis[0] * b.axis[0] + a.axis[1] * b.axis[1] + a.axis[2] * b.axis[2];
   }
-  static RationalPolynomial squared_axis(const CircleFamily& c) { return dot(c, c); }
   static CircleFamily derivative(const CircleFamily& c) {
     return {{c.axis[0].derivative(), c.axis[1].derivative(), c.axis[2].derivative()},
             c.level.derivative()};
   }
-  static RationalPolynomial mean_turn(const CircleFamily& c) {
-    const CircleFamily d = derivative(c);
-    return d.level * squared_axis(c) - c.level * dot(c, d);
+  static bool is_non_negative(const RationalPolynomial& p) {
+    return p.is_zero() || is_positive_on_unit_interval(p);
   }
-  static RationalPolynomial squared_cross(const CircleFamily& c) {
-    const CircleFamily d = derivative(c);
-    const RationalPolynomial mixed = dot(c, d);
-    return squared_axis(c) * squared_axis(d) - mixed * mixed;
-  }
+  static bool is_non_positive(const RationalPolynomial& p) { return is_non_negative(-p); }
 
-  Values at(const RealBall& point) const {
-    const RealBall t = point.at_precision(kBits);
-    const Jet q = denominator_(t);
-    Jet advance = advance_(t) / (q * q);
-    Jet turn = mean_turn_(t);
-    // Where the spine runs backwards, lambda < 0, the roles of the two sides are exchanged.
-    if (advance.value.is_negative()) {
-      advance = -advance;
-      turn = -turn;
-    } else if (!advance.value.is_positive()) {
-      turn.value = abs(turn.value);
-    }
-    if (has_spread_) turn = turn + sqrt(spread_squared_(t));
-    return {advance, turn, radius_(t) / q};
-  }
-
-  static Jet distance(const Values& values) { return values.advance / values.turn - values.radius; }
-
-  BallPolynomial advance_, mean_turn_, spread_squared_;
-  bool has_spread_;
-  BallPolynomial radius_, denominator_;
+  bool unlimited_ = false;
+  Form<RealBall> advance_, turn_, spread_, radius_, denominator_;
+  Form<double> advance_estimate_, turn_estimate_, spread_estimate_;
+  Form<double> radius_estimate_, denominator_estimate_;
 };
 
-/// A proven lower bound of the least value of all functions on [0, 1], within `tolerance` of it.
-template <class Function>
-double certified_minimum(const std::vector<Function>& functions, double tolerance) {
+struct Sample {
+  double t, value;
+};
+
+/// The least sample of a link, refined between its neighbours.
+double least_sample(const Limit& limit) {
+  Sample least{0, limit.sample(0)};
+  for (int i = 1; i < kSamples; ++i) {
+    const double t = static_cast<double>(i) / (kSamples - 1);
+    const double value = limit.sample(t);
+    if (value < least.value) least = {t, value};
+  }
+  const double step = 1.0 / (kSamples - 1);
+  double low = std::max(0.0, least.t - step), high = std::min(1.0, least.t + step);
+  constexpr int kThirds =
+      60;  // down to a relative width of 1e-10, where the value no longer changes
+  for (int i = 0; i < kThirds; ++i) {
+    const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+    const double at_a = limit.sample(a), at_b = limit.sample(b);
+    least.value = std::min({least.value, at_a, at_b});
+    (at_a < at_b ? high : low) = at_a < at_b ? b : a;
+  }
+  return least.value;
+}
+
+/// What a link says to a distance.
+struct Verdict {
+  bool proved;
+  double least_sample;  ///< met on the way to the proof
+};
+
+Verdict verdict(const Limit& limit, double distance) {
   struct Interval {
-    double bound, low, high;
-    std::size_t function;
-    bool operator<(const Interval& other) const { return bound > other.bound; }
+    std::vector<Polynomial> conditions;
+    double low, high;
+    int halvings;
   };
-  std::priority_queue<Interval> open;
-  double best = kInfinity;
-  const auto add = [&](std::size_t i, double low, double high) {
-    const double bound = functions[i].lower_bound(low, high);
-    best = std::min(best, functions[i].value_bound(low + (high - low) / 2));
-    if (bound <= best) open.push({bound, low, high, i});
-  };
-  for (std::size_t i = 0; i < functions.size(); ++i) {
-    for (const double end : {0.0, 1.0}) best = std::min(best, functions[i].value_bound(end));
-    add(i, 0, 1);
+  std::vector<Interval> open(1);
+  open[0] = {{}, 0, 1, 0};
+  for (const Form<RealBall>& form : limit.conditions(distance)) {
+    open[0].conditions.push_back(to_bernstein(form.coefficients()));
   }
-  for (int count = 0; !open.empty() && count < kMostIntervals; ++count) {
-    const Interval least = open.top();
-    if (least.bound >= best - tolerance || least.bound == kInfinity) break;
-    open.pop();
-    const double middle = least.low + (least.high - least.low) / 2;
-    add(least.function, least.low, middle);
-    add(least.function, middle, least.high);
+  double least = kInfinity;
+  while (!open.empty()) {
+    const Interval interval = std::move(open.back());
+    open.pop_back();
+    if (std::all_of(interval.conditions.begin(), interval.conditions.end(), is_positive)) continue;
+    const double middle = interval.low + (interval.high - interval.low) / 2;
+    least = std::min(least, limit.sample(middle));
+    if (least <= distance || interval.halvings == kMostHalvings) return {false, least};
+    Interval left{{}, interval.low, middle, interval.halvings + 1};
+    Interval right{{}, middle, interval.high, interval.halvings + 1};
+    for (const Polynomial& condition : interval.conditions) {
+      auto [first, second] = halved(condition);
+      left.conditions.push_back(std::move(first));
+      right.conditions.push_back(std::move(second));
+    }
+    open.push_back(std::move(left));
+    open.push_back(std::move(right));
   }
-  return open.empty() ? best : std::min(best, open.top().bound);
+  return {true, least};
+}
+
+/// The largest distance within all limits that is proved, below their least sample by the
+/// tolerance.
+template <class SomeLimit>
+double proved_limit(const std::vector<SomeLimit>& limits, double tolerance) {
+  std::vector<double> samples(limits.size());
+  for_each_index(limits.size(), [&](std::size_t i) { samples[i] = least_sample(limits[i]); });
+  double least = *std::min_element(samples.begin(), samples.end());
+  least = std::min(least, kFarthest * tolerance);
+  for (double margin = tolerance;; margin *= 2) {
+    const double distance = least - margin;
+    std::vector<Verdict> verdicts(limits.size());
+    for_each_index(limits.size(),
+                   [&](std::size_t i) { verdicts[i] = verdict(limits[i], distance); });
+    if (std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.proved; })) {
+      return distance;
+    }
+    for (const Verdict& v : verdicts) least = std::min(least, v.least_sample);
+  }
+}
+
+bool turns_back(const ChainLink& link) {
+  RationalPolynomial inside = link.content;
+  for (const long end : {0L, 1L}) inside = inside.without_root(Rational(end));
+  return !roots_in_unit_interval(inside).empty();
+}
+
+/// The distance between the ends of a link's spine.
+double chord(const ChainLink& link) {
+  const SphereCurve& curve = link.envelope.curve();
+  double square = 0;
+  for (const RationalPolynomial& centre : curve.centre) {
+    const auto at = [&](long t) { return centre(Rational(t)) / curve.denominator(Rational(t)); };
+    const double difference = (at(1) - at(0)).to_double();
+    square += difference * difference;
+  }
+  return std::sqrt(square);
 }
 
 }  // namespace
 
 OffsetRange regular_range(const EnvelopeChain& chain, double tolerance) {
-  std::vector<RadiusFunction> radii;
-  std::vector<FocalDistance> focal;
+  std::vector<RadiusLimit> radii;
+  std::vector<FocalLimit> focal;
+  bool regular = true;
   for (const ChainLink& link : chain.links) {
     radii.emplace_back(link.envelope.curve());
-    if (!link.stands_still()) focal.emplace_back(link);
+    if (link.stands_still()) continue;
+    regular = regular && !turns_back(link);
+    FocalLimit limit(link);
+    if (!limit.is_unlimited()) focal.push_back(std::move(limit));
   }
-  return {-certified_minimum(radii, tolerance), certified_minimum(focal, tolerance)};
+  const double lower = -proved_limit(radii, tolerance);
+  if (!regular) return {lower, lower};
+  return {lower, focal.empty() ? kInfinity : proved_limit(focal, tolerance)};
 }
 
 double default_tolerance(const EnvelopeChain& chain) {
-  double largest = 0;
+  double size = std::numeric_limits<double>::min();
   for (const ChainLink& link : chain.links) {
-    for (const long end : {0L, 1L}) {
-      const SphereCurve& curve = link.envelope.curve();
-      const Rational radius = curve.radius(Rational(end)) / curve.denominator(Rational(end));
-      largest = std::max(largest, std::abs(radius.to_double()));
-    }
+    const RadiusLimit radius(link.envelope.curve());
+    size = std::max({size, std::abs(radius.sample(0)), std::abs(radius.sample(1)), chord(link)});
   }
-  return 1e-9 * largest;
+  return 1e-9 * size;
 }
 
 }  // namespace pn

@@ -11,12 +11,20 @@
 // gives n_t.b = -(n.M' + R') / sqrt(D), and x_t.b = lambda sqrt(D) + rho n_t.b. QED. Over the
 // circle n.M' + R' has the largest value
 //
-//     K = R' - R (M.M') / |M|^2 + sqrt(D) |M x M'| / |M|^2,
+//     K = (K1 + sqrt(E)) / |M|^2,    K1 = R' |M|^2 - R (M.M'),    E = D |M x M'|^2,
 //
 // so for lambda > 0 no distance in (-min r, min over K > 0 of lambda D / K - r) has a singular
 // point. (The focal distances are the principal radii of curvature of all offsets at once.)
 //
-// Where the spine stands still, at a corner, only rho = 0 counts: the zone lies on a sphere.
+// COROLLARY. For rho > 0 and lambda > 0 the section at d is regular exactly when the polynomials
+//
+//     A = lambda D |M|^2 - rho K1,        B = A^2 - rho^2 E
+//
+// (freed of denominators) are positive on [0, 1]: a distance is certified by Bernstein
+// coefficients.
+//
+// Where the spine stands still, at a corner, only rho = 0 counts: the zone lies on a sphere. Where
+// it turns back inside a span (lambda changes sign) no distance is regular.
 #pragma once
 
 #include "pn/isotropic/envelope_chain.hpp"
@@ -28,11 +36,11 @@ struct OffsetRange {
   double lower, upper;  ///< upper may be infinite
 };
 
-/// The certified range: it lies inside the true one, and its ends are within `tolerance` [mm] of
-/// it.
+/// The certified range: it lies inside the true one. Its ends are within `tolerance` [mm] of it, up
+/// to the rounding of the limits themselves.
 OffsetRange regular_range(const EnvelopeChain& chain, double tolerance);
 
-/// A tolerance in proportion to the radii: 1e-9 of the largest one at a joint.
+/// A tolerance in proportion to the surface: 1e-9 of the largest radius or chord of a link.
 double default_tolerance(const EnvelopeChain& chain);
 
 }  // namespace pn

@@ -252,26 +252,18 @@ EndValue<C> end_value(const SpinorMatrix<C>& a, int end) {
   return result;
 }
 
-/// F on a segment: power coefficients, matrix by matrix.
+/// Value and derivative of F at an end of a segment.
+template <class T>
+struct LineEnd {
+  Matrix<T> value, slope;
+};
+
+/// F on a segment. The ends are kept beside the coefficients: as sums of coefficients they would
+/// carry the errors of one end of a segment to the other, and so along the whole chain.
 template <class T>
 struct LineFactor {
-  std::vector<Matrix<T>> coefficients;
-
-  Matrix<T> value(int end) const {
-    if (end == 0) return coefficients.front();
-    Matrix<T> sum = coefficients.front();
-    for (std::size_t i = 1; i < coefficients.size(); ++i) sum = sum + coefficients[i];
-    return sum;
-  }
-  Matrix<T> derivative(int end) const {
-    if (coefficients.size() == 1) return scaled(coefficients[0], T(0.0));
-    if (end == 0) return coefficients[1];
-    Matrix<T> sum = coefficients[1];
-    for (std::size_t i = 2; i < coefficients.size(); ++i) {
-      sum = sum + scaled(coefficients[i], T(static_cast<double>(i)));
-    }
-    return sum;
-  }
+  std::vector<Matrix<T>> coefficients;  ///< ascending powers
+  std::array<LineEnd<T>, 2> ends;
 };
 
 template <class T>
@@ -284,35 +276,41 @@ Matrix<T> combination(std::initializer_list<std::pair<double, const Matrix<T>*>>
 }
 
 template <class T>
+LineFactor<T> constant_line(const Matrix<T>& value) {
+  const LineEnd<T> end{value, scaled(value, T(0.0))};
+  return {{value}, {end, end}};
+}
+
+template <class T>
 LineFactor<T> line_through(const Matrix<T>& left, const Matrix<T>& right) {
-  return {{left, combination<T>({{1, &right}, {-1, &left}})}};
+  const Matrix<T> slope = combination<T>({{1, &right}, {-1, &left}});
+  return {{left, slope}, {LineEnd<T>{left, slope}, LineEnd<T>{right, slope}}};
 }
 
 template <class T>
 LineFactor<T> parabola_through(const Matrix<T>& left, const Matrix<T>& middle,
                                const Matrix<T>& right) {
-  return {{left, combination<T>({{-3, &left}, {4, &middle}, {-1, &right}}),
-           combination<T>({{2, &left}, {-4, &middle}, {2, &right}})}};
+  const Matrix<T> left_slope = combination<T>({{-3, &left}, {4, &middle}, {-1, &right}});
+  const Matrix<T> right_slope = combination<T>({{1, &left}, {-4, &middle}, {3, &right}});
+  return {{left, left_slope, combination<T>({{2, &left}, {-4, &middle}, {2, &right}})},
+          {LineEnd<T>{left, left_slope}, LineEnd<T>{right, right_slope}}};
 }
 
 template <class T>
-LineFactor<T> hermite_cubic(const Matrix<T>& left, const Matrix<T>& left_slope,
-                            const Matrix<T>& right, const Matrix<T>& right_slope) {
-  return {{left, left_slope,
-           combination<T>({{-3, &left}, {-2, &left_slope}, {3, &right}, {-1, &right_slope}}),
-           combination<T>({{2, &left}, {1, &left_slope}, {-2, &right}, {1, &right_slope}})}};
+LineFactor<T> hermite_cubic(const LineEnd<T>& left, const LineEnd<T>& right) {
+  return {
+      {left.value, left.slope,
+       combination<T>(
+           {{-3, &left.value}, {-2, &left.slope}, {3, &right.value}, {-1, &right.slope}}),
+       combination<T>({{2, &left.value}, {1, &left.slope}, {-2, &right.value}, {1, &right.slope}})},
+      {left, right}};
 }
 
 /// Lemma 1: the real factor at an end of a segment with which its lines meet those of a neighbour.
-template <class T>
-struct Matched {
-  Matrix<T> value, derivative;
-};
-
 /// `own` is A at the joint, `neighbour` the finished A F of the other side there, `stretch` the
 /// length of the own segment over the neighbour's; `near` picks one of the two signs.
 template <class T>
-Matched<T> matched(const EndValue<ComplexOf<T>>& own, const EndValue<ComplexOf<T>>& neighbour,
+LineEnd<T> matched(const EndValue<ComplexOf<T>>& own, const EndValue<ComplexOf<T>>& neighbour,
                    const T& stretch, const Matrix2d& near) {
   using C = ComplexOf<T>;
   using spinor::size;
@@ -326,11 +324,11 @@ Matched<T> matched(const EndValue<ComplexOf<T>>& own, const EndValue<ComplexOf<T
   }
   C phase = conj(largest) / spinor::root(largest * conj(largest));
   if ((near.inverse() * midpoint(real_part<T>(scaled(ratio, phase)))).trace() < 0) phase = -phase;
-  Matched<T> result;
+  LineEnd<T> result;
   result.value = real_part<T>(scaled(ratio, phase));
   const Matrix<C> wanted = scaled(neighbour.derivative, phase * C(stretch));
   const Matrix<C> drift = own.derivative * complexified<T>(result.value);
-  result.derivative = real_part<T>(own_inverse * (wanted + scaled(drift, C(-1.0))));
+  result.slope = real_part<T>(own_inverse * (wanted + scaled(drift, C(-1.0))));
   return result;
 }
 
@@ -380,51 +378,49 @@ class FactorSequence {
     const bool closes = closed_ && i + 1 == segments_.size();
     const bool smooth_left = segment.joint_before == Joint::kSmooth && i > 0;
     const bool smooth_right = closes && segments_.front().joint_before == Joint::kSmooth;
-    const Matrix2d even_left = seam_.even(segment.link, segment.origin.to_double());
 
-    Matched<T> left = i > 0 ? matched_to(i, left_[i], finished(i - 1, 1), i - 1, even_left)
-                            : Matched<T>{short_doubles<T>(even_left), even_slope(segment, 0)};
-    if (!smooth_left) left.derivative = even_slope(segment, 0);
+    LineEnd<T> left = free_end(segment, 0);
+    if (i > 0) {
+      const LineEnd<T> met =
+          matched_to(i, 0, i - 1, finished(right_[i - 1], factors_[i - 1].ends[1]));
+      left = {met.value, smooth_left ? met.slope : left.slope};
+    }
     const int degree = std::min(smooth_left || smooth_right ? 3 : 2, room_[i]);
-    if (degree == 0 || (lines_ == Lines::kLowestDegree && !closes)) return {{left.value}};
+    if (degree == 0 || (lines_ == Lines::kLowestDegree && !closes))
+      return constant_line(left.value);
 
-    Matched<T> right{short_doubles<T>(even_at(segment, segment.right())), even_slope(segment, 1)};
+    LineEnd<T> right = free_end(segment, 1);
     if (closes) {
-      const LineFactor<T> first =
-          factors_.empty() ? LineFactor<T>{{left.value, left.derivative}} : factors_.front();
-      right = matched_to(i, right_[i], finished_with(left_[0], first, 0), 0,
-                         even_at(segment, segment.right()));
+      const LineEnd<T>& start = i > 0 ? factors_.front().ends[0] : left;
+      const LineEnd<T> met = matched_to(i, 1, 0, finished(left_[0], start));
+      right = {met.value, smooth_right ? met.slope : right.slope};
     }
     if (degree == 1 || lines_ == Lines::kLowestDegree) return line_through(left.value, right.value);
-    if (degree == 2) {
-      return parabola_through(left.value, short_doubles<T>(even_at(segment, segment.middle())),
-                              right.value);
-    }
-    return hermite_cubic(left.value, left.derivative, right.value,
-                         closes && !smooth_right ? even_slope(segment, 1) : right.derivative);
+    if (degree == 3) return hermite_cubic(left, right);
+    const Matrix2d middle = seam_.even(segment.link, segment.middle());
+    return parabola_through(left.value, short_doubles<T>(middle), right.value);
   }
 
-  Matrix2d even_at(const Segment& segment, double t) const { return seam_.even(segment.link, t); }
-
-  Matrix<T> even_slope(const Segment& segment, int end) const {
+  /// The even factor at an end of a segment, as short doubles.
+  LineEnd<T> free_end(const Segment& segment, int end) const {
     const double t = end == 0 ? segment.origin.to_double() : segment.right();
-    return short_doubles<T>(seam_.even_derivative(segment.link, t) * segment.length.to_double());
+    return {short_doubles<T>(seam_.even(segment.link, t)),
+            short_doubles<T>(seam_.even_derivative(segment.link, t) * segment.length.to_double())};
   }
 
-  static EndValue<C> finished_with(const EndValue<C>& a, const LineFactor<T>& factor, int end) {
-    const Matrix<C> f = complexified<T>(factor.value(end));
-    const Matrix<C> slope = complexified<T>(factor.derivative(end));
+  /// A F at an end.
+  static EndValue<C> finished(const EndValue<C>& a, const LineEnd<T>& factor) {
+    const Matrix<C> f = complexified<T>(factor.value), slope = complexified<T>(factor.slope);
     return {a.value * f, a.derivative * f + a.value * slope};
   }
 
-  EndValue<C> finished(std::size_t i, int end) const {
-    return finished_with(end == 0 ? left_[i] : right_[i], factors_[i], end);
-  }
-
-  Matched<T> matched_to(std::size_t own, const EndValue<C>& own_end,
-                        const EndValue<C>& neighbour_end, std::size_t neighbour,
-                        const Matrix2d& near) const {
-    return matched<T>(own_end, neighbour_end, stretch(own, neighbour), near);
+  /// F at an end of a segment, met by the finished lines of a neighbour.
+  LineEnd<T> matched_to(std::size_t own, int end, std::size_t neighbour,
+                        const EndValue<C>& finished_neighbour) const {
+    const Segment& segment = segments_[own];
+    const double t = end == 0 ? segment.origin.to_double() : segment.right();
+    return matched<T>(end == 0 ? left_[own] : right_[own], finished_neighbour,
+                      stretch(own, neighbour), seam_.even(segment.link, t));
   }
 
   /// The length of one segment over that of another, as the knots have it.

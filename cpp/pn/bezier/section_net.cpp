@@ -16,7 +16,6 @@ namespace {
 /// The rows of a segment at a common degree: Bernstein coefficients of q00, q01, q11 in each row.
 struct SegmentRows {
   std::array<std::array<std::vector<RealBall>, 3>, 7> component;  ///< [x y z, V1 V2 V3, w][q][row]
-  bool has_no_negative_weight(const std::vector<CircleColumns>& circle, long precision) const;
 };
 
 int degree_of(const LinedSegment& segment) {
@@ -64,19 +63,6 @@ NetPole pole_of(const SegmentRows& rows, std::size_t row, const ColumnWeights& c
     pole.direction[i] = value(rows.component[3 + i], row, column) * inverse;
   }
   return pole;
-}
-
-bool SegmentRows::has_no_negative_weight(const std::vector<CircleColumns>& circle,
-                                         long precision) const {
-  for (const CircleColumns& columns : circle) {
-    for (const auto& coefficients : columns.coefficients) {
-      const ColumnWeights column = in_balls(coefficients, precision);
-      for (std::size_t row = 0; row < component[6][0].size(); ++row) {
-        if (value(component[6], row, column).is_negative()) return false;
-      }
-    }
-  }
-  return true;
 }
 
 /// A run of segments on one face along the spine: [first, last).
@@ -136,67 +122,85 @@ std::vector<ColumnWeights> column_weights(const CircleColumns& circle, long prec
   return columns;
 }
 
-FaceNet face_net(const std::vector<LinedSegment>& segments, const std::vector<SegmentRows>& rows,
-                 const Run& run, const CircleColumns& circle, long precision) {
+/// The segments of a chain, brought to one degree on every face, and their rows.
+struct Strip {
+  std::vector<LinedSegment> segments;
+  std::vector<Run> runs;
+  std::vector<SegmentRows> rows;
+  long precision;
+};
+
+Strip strip_of(std::vector<LinedSegment> segments, long precision) {
+  Strip strip{std::move(segments), {}, {}, precision};
+  strip.runs = smooth_runs(strip.segments);
+  std::vector<int> degrees;
+  for (const Run& run : strip.runs) degrees.resize(run.last, run.degree);
+  strip.rows.resize(strip.segments.size());
+  for_each_index(strip.rows.size(),
+                 [&](std::size_t i) { strip.rows[i] = rows_of(strip.segments[i], degrees[i]); });
+  return strip;
+}
+
+FaceNet face_net(const Strip& strip, const Run& run, const CircleColumns& circle) {
   FaceNet face;
-  face.frame = frame_of(segments, run, circle);
-  face.stands_still = segments[run.first].stands_still;
-  const std::vector<ColumnWeights> columns = column_weights(circle, precision);
+  face.frame = frame_of(strip.segments, run, circle);
+  face.stands_still = strip.segments[run.first].stands_still;
+  const std::vector<ColumnWeights> columns = column_weights(circle, strip.precision);
   const std::vector<RowPlace> places = control_rows(run);
   const bool closed = circle.coefficients.front() == circle.coefficients.back();
-  face.poles.resize(places.size() * columns.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    for (std::size_t j = 0; j < columns.size(); ++j) {
-      NetPole& pole = face.poles[i * columns.size() + j];
-      pole = closed && j + 1 == columns.size()
-                 ? face.poles[i * columns.size()]
-                 : pole_of(rows[places[i].segment], places[i].row, columns[j]);
-      if (pole.weight.is_positive()) continue;
-      if (!pole.weight.is_negative()) throw Undecided("the sign of a weight");
-      throw GeometryError(ErrorCode::kWeightsNotPositive,
-                          "No patch with positive weights was found between parameters " +
-                              std::to_string(segments[run.first].begin) + " and " +
-                              std::to_string(segments[run.last - 1].end) + ".");
+  const std::size_t count = columns.size();
+  face.poles.resize(places.size() * count);
+  for_each_index(places.size(), [&](std::size_t i) {
+    NetPole* const row = &face.poles[i * count];
+    for (std::size_t j = 0; j < count; ++j) {
+      const bool repeats = closed && j + 1 == count;
+      row[j] = repeats ? row[0] : pole_of(strip.rows[places[i].segment], places[i].row, columns[j]);
     }
-  }
+  });
   return face;
 }
 
-std::vector<NetPole> first_row(const FaceNet& face) {
-  const auto count = static_cast<std::ptrdiff_t>(face.frame.v_count());
-  return {face.poles.begin(), face.poles.begin() + count};
+bool has_negative_weight(const FaceNet& face) {
+  return std::any_of(face.poles.begin(), face.poles.end(), [](const NetPole& pole) {
+    if (pole.weight.is_positive()) return false;
+    if (pole.weight.is_negative()) return true;
+    throw Undecided("the sign of a weight");
+  });
 }
 
-std::vector<NetPole> last_row(const FaceNet& face) {
-  const auto count = static_cast<std::ptrdiff_t>(face.frame.v_count());
-  return {face.poles.end() - count, face.poles.end()};
+/// The faces with so many arcs around the circle: run by run, and within a run arc by arc.
+std::vector<FaceNet> face_nets(const Strip& strip, const std::vector<CircleColumns>& circle) {
+  std::vector<FaceNet> faces(strip.runs.size() * circle.size());
+  for_each_index(faces.size(), [&](std::size_t i) {
+    faces[i] = face_net(strip, strip.runs[i / circle.size()], circle[i % circle.size()]);
+  });
+  return faces;
 }
 
-/// Gives a face the end row of the one before: one circle, bit for bit.
-void share_row(const FaceNet& before, FaceNet* face) {
-  face->replaced_first = first_row(*face);
-  const std::vector<NetPole> shared = last_row(before);
-  std::copy(shared.begin(), shared.end(), face->poles.begin());
+/// Two end rows, one of which replaces the other: one circle, bit for bit.
+std::vector<NetPole> exchanged(std::vector<NetPole>::iterator own,
+                               std::vector<NetPole>::const_iterator shared, std::size_t count) {
+  std::vector<NetPole> replaced(own, own + static_cast<std::ptrdiff_t>(count));
+  std::copy(shared, shared + static_cast<std::ptrdiff_t>(count), own);
+  return replaced;
 }
 
-/// The same for the circle where a closed chain comes back.
-void close_row(const FaceNet& first, FaceNet* face) {
-  face->replaced_last = last_row(*face);
-  const std::vector<NetPole> shared = first_row(first);
-  std::copy(shared.begin(), shared.end(),
-            face->poles.end() - static_cast<std::ptrdiff_t>(shared.size()));
-}
-
-int arcs_with_positive_weights(const std::vector<SegmentRows>& rows, Lines lines, long precision) {
-  for (int arcs = kLeastArcs; arcs < kMostArcs; arcs *= 2) {
-    const auto circle = circle_columns(lines, arcs);
-    if (std::all_of(rows.begin(), rows.end(), [&](const SegmentRows& segment) {
-          return segment.has_no_negative_weight(circle, precision);
-        })) {
-      return arcs;
-    }
+/// Gives every run the last row of the one before, and the last run of a closed chain the first
+/// row.
+std::vector<FaceNet> with_shared_rows(std::vector<FaceNet> faces, std::size_t around, bool closed) {
+  const auto last_row = [](FaceNet& face) {
+    return face.poles.end() - static_cast<std::ptrdiff_t>(face.frame.v_count());
+  };
+  for (std::size_t i = around; i < faces.size(); ++i) {
+    FaceNet &before = faces[i - around], &face = faces[i];
+    face.replaced_first = exchanged(face.poles.begin(), last_row(before), face.frame.v_count());
   }
-  return kMostArcs;
+  if (!closed) return faces;
+  for (std::size_t i = 0; i < around; ++i) {
+    FaceNet &first = faces[i], &last = faces[faces.size() - around + i];
+    last.replaced_last = exchanged(last_row(last), first.poles.begin(), last.frame.v_count());
+  }
+  return faces;
 }
 
 /// A coordinate this much smaller than the surface is zero on export: 2^-100 of its size.
@@ -270,29 +274,42 @@ double active_diameter(const BSplineSurface& surface) {
   return diameter;
 }
 
+/// The largest coordinate of a pole, nearly.
+double estimated_size(const FaceNet& face, double distance) {
+  double size = 0;
+  for (const NetPole& pole : face.poles) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double x = pole.point[c].midpoint() + distance * pole.direction[c].midpoint();
+      size = std::max(size, std::abs(x));
+    }
+  }
+  return size;
+}
+
+/// How far a rounded pole is from the true one at most.
+double rounding_error(const Point& pole, double size) {
+  const double negligible = std::ldexp(size, -kNegligibleBits);
+  return length({std::max(unit_in_last_place(pole[0]), negligible),
+                 std::max(unit_in_last_place(pole[1]), negligible),
+                 std::max(unit_in_last_place(pole[2]), negligible)});
+}
+
 RoundedFace rounded(const FaceNet& face, double exact_distance) {
   const RealBall distance(exact_distance);
   BSplineSurface surface = face.frame;
-  std::vector<std::array<RealBall, 3>> poles;
-  poles.reserve(face.poles.size());
-  double size = 0;
-  for (const NetPole& pole : face.poles) {
-    poles.push_back(pole_at(pole, distance));
-    for (const RealBall& x : poles.back()) size = std::max(size, std::abs(x.midpoint()));
-  }
-  surface.poles.reserve(poles.size());
-  surface.weights.reserve(poles.size());
-  double delta = 0;
-  for (std::size_t i = 0; i < poles.size(); ++i) {
-    Point p, error;
-    for (std::size_t c = 0; c < 3; ++c) {
-      p[c] = rounded_coordinate(poles[i][c], size);
-      error[c] = std::max(unit_in_last_place(p[c]), std::ldexp(size, -kNegligibleBits));
+  const std::size_t columns = surface.v_count(), rows = surface.u_count();
+  const double size = estimated_size(face, exact_distance);
+  surface.poles.resize(face.poles.size());
+  surface.weights.resize(face.poles.size());
+  for_each_index(rows, [&](std::size_t row) {
+    for (std::size_t i = row * columns; i < (row + 1) * columns; ++i) {
+      const auto pole = pole_at(face.poles[i], distance);
+      for (std::size_t c = 0; c < 3; ++c) surface.poles[i][c] = rounded_coordinate(pole[c], size);
+      surface.weights[i] = rounded_weight(face.poles[i].weight);
     }
-    surface.poles.push_back(p);
-    surface.weights.push_back(rounded_weight(face.poles[i].weight));
-    delta = std::max(delta, length(error));
-  }
+  });
+  double delta = 0;
+  for (const Point& pole : surface.poles) delta = std::max(delta, rounding_error(pole, size));
   Difference largest;
   const auto compare = [&](const NetPole& own, const NetPole& shared) {
     const Difference d = difference(own, shared, distance);
@@ -316,38 +333,18 @@ RoundedFace rounded(const FaceNet& face, double exact_distance) {
 
 SectionNet::SectionNet(const EnvelopeChain& chain, Lines lines, long precision)
     : precision_(precision) {
-  const std::vector<LinedSegment> segments = lined_segments(chain, lines, precision);
-  const std::vector<Run> runs = smooth_runs(segments);
-  for (const Run& run : runs) {
-    if (run.degree <= kLargestDegree) continue;
-    throw GeometryError(
-        ErrorCode::kDegreeTooHigh,
-        "The exact surface would have degree " + std::to_string(run.degree) +
-            " along the spine between parameters " + std::to_string(segments[run.first].begin) +
-            " and " + std::to_string(segments[run.last - 1].end) + "; CAD systems stop at " +
-            std::to_string(kLargestDegree) + ". Lower the degree of spine and radius there.");
+  const Strip strip = strip_of(lined_segments(chain, lines, precision), precision);
+  for (int arcs = kLeastArcs; arcs <= kMostArcs; arcs *= 2) {
+    const std::vector<CircleColumns> circle = circle_columns(lines, arcs);
+    std::vector<FaceNet> faces = face_nets(strip, circle);
+    if (std::any_of(faces.begin(), faces.end(), has_negative_weight)) continue;
+    faces_ = with_shared_rows(std::move(faces), circle.size(), chain.closed);
+    return;
   }
-  std::vector<int> degrees(segments.size());
-  for (const Run& run : runs) {
-    std::fill(degrees.begin() + static_cast<std::ptrdiff_t>(run.first),
-              degrees.begin() + static_cast<std::ptrdiff_t>(run.last), run.degree);
-  }
-  std::vector<SegmentRows> rows(segments.size());
-  for_each_index(rows.size(), [&](std::size_t i) { rows[i] = rows_of(segments[i], degrees[i]); });
-  const std::vector<CircleColumns> circle =
-      circle_columns(lines, arcs_with_positive_weights(rows, lines, precision));
-  faces_.resize(runs.size() * circle.size());
-  for_each_index(faces_.size(), [&](std::size_t i) {
-    faces_[i] =
-        face_net(segments, rows, runs[i / circle.size()], circle[i % circle.size()], precision);
-  });
-  for (std::size_t i = circle.size(); i < faces_.size(); ++i) {
-    share_row(faces_[i - circle.size()], &faces_[i]);
-  }
-  if (!chain.closed) return;
-  for (std::size_t i = 0; i < circle.size(); ++i) {
-    close_row(faces_[i], &faces_[faces_.size() - circle.size() + i]);
-  }
+  throw GeometryError(ErrorCode::kWeightsNotPositive,
+                      "No patches with positive weights were found, not even with " +
+                          std::to_string(kMostArcs) +
+                          " arcs around the spine; divide the spine into shorter spans.");
 }
 
 std::vector<RoundedFace> SectionNet::section(double distance) const {
