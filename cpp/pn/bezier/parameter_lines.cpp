@@ -166,6 +166,7 @@ struct Segment {
   double begin, end;
   Rational origin, length;  ///< in the link's parameter on [0, 1]
   Joint joint_before;
+  int lines_degree;  ///< the largest degree that F may have
   int halvings = 0;
 
   double middle() const { return (origin + length / Rational(2)).to_double(); }
@@ -338,15 +339,9 @@ class FactorSequence {
  public:
   using C = ComplexOf<T>;
 
-  FactorSequence(const std::vector<Segment>& segments, bool closed, Lines lines, const Seam& seam,
-                 const std::vector<SpinorMatrix<C>>& spinors, const std::vector<int>& room,
-                 long precision)
-      : segments_(segments),
-        closed_(closed),
-        lines_(lines),
-        seam_(seam),
-        room_(room),
-        precision_(precision) {
+  FactorSequence(const std::vector<Segment>& segments, bool closed, const Seam& seam,
+                 const std::vector<SpinorMatrix<C>>& spinors, long precision)
+      : segments_(segments), closed_(closed), seam_(seam), precision_(precision) {
     left_.resize(segments.size());
     right_.resize(segments.size());
     for_each_index(segments.size(), [&](std::size_t i) {
@@ -385,9 +380,8 @@ class FactorSequence {
           matched_to(i, 0, i - 1, finished(right_[i - 1], factors_[i - 1].ends[1]));
       left = {met.value, smooth_left ? met.slope : left.slope};
     }
-    const int degree = std::min(smooth_left || smooth_right ? 3 : 2, room_[i]);
-    if (degree == 0 || (lines_ == Lines::kLowestDegree && !closes))
-      return constant_line(left.value);
+    const int degree = std::min(smooth_left || smooth_right ? 3 : 2, segment.lines_degree);
+    if (degree == 0) return constant_line(left.value);
 
     LineEnd<T> right = free_end(segment, 1);
     if (closes) {
@@ -395,7 +389,7 @@ class FactorSequence {
       const LineEnd<T> met = matched_to(i, 1, 0, finished(left_[0], start));
       right = {met.value, smooth_right ? met.slope : right.slope};
     }
-    if (degree == 1 || lines_ == Lines::kLowestDegree) return line_through(left.value, right.value);
+    if (degree == 1) return line_through(left.value, right.value);
     if (degree == 3) return hermite_cubic(left, right);
     const Matrix2d middle = seam_.even(segment.link, segment.middle());
     return parabola_through(left.value, short_doubles<T>(middle), right.value);
@@ -433,9 +427,7 @@ class FactorSequence {
 
   const std::vector<Segment>& segments_;
   bool closed_;
-  Lines lines_;
   const Seam& seam_;
-  const std::vector<int>& room_;
   long precision_;
   std::vector<EndValue<C>> left_, right_;
   std::vector<LineFactor<T>> factors_;
@@ -507,12 +499,15 @@ class Planner {
       const ChainLink& link = chain.links[i];
       const double begin = link.stands_still() ? 0 : link.begin;
       const double end = link.stands_still() ? 1 : link.end;
-      segments_.push_back({i, begin, end, Rational(0), Rational(1), joint_before(i), 0});
+      segments_.push_back(
+          {i, begin, end, Rational(0), Rational(1), joint_before(i), lines_degree(i)});
     }
+    // The last lines of a closed chain have to come back to the first.
+    if (chain.closed) segments_.back().lines_degree = std::max(1, segments_.back().lines_degree);
   }
 
   std::vector<LinedSegment> segments() {
-    while (halve_uneven_segments()) {
+    while (refine_uneven_segments()) {
     }
     const std::vector<SpinorMatrix<ComplexBall>> spinors = restricted_spinors<RealBall>();
     const std::vector<LineFactor<RealBall>> factors = factors_for<RealBall>(spinors);
@@ -532,15 +527,15 @@ class Planner {
  private:
   int room(std::size_t link) const { return room_for_lines(chain_.links[link].envelope); }
 
-  bool has_room_for_cubics(std::size_t link) const {
-    return lines_ == Lines::kEven && room(link) >= 3;
+  int lines_degree(std::size_t link) const {
+    return lines_ == Lines::kEven ? std::min(3, room(link)) : 0;
   }
 
   /// A joint stays smooth only where both sides have room for cubic lines.
   Joint joint_before(std::size_t i) const {
     const Joint joint = chain_.links[i].joint_before;
     const std::size_t before = (i + chain_.links.size() - 1) % chain_.links.size();
-    const bool keeps = has_room_for_cubics(i) && has_room_for_cubics(before);
+    const bool keeps = lines_degree(i) == 3 && lines_degree(before) == 3;
     return joint == Joint::kSmooth && !keeps ? Joint::kTangent : joint;
   }
 
@@ -565,14 +560,11 @@ class Planner {
   template <class T>
   std::vector<LineFactor<T>> factors_for(
       const std::vector<SpinorMatrix<ComplexOf<T>>>& spinors) const {
-    std::vector<int> rooms;
-    for (const Segment& segment : segments_) rooms.push_back(room(segment.link));
-    return FactorSequence<T>(segments_, chain_.closed, lines_, *seam_, spinors, rooms, precision_)
-        .factors();
+    return FactorSequence<T>(segments_, chain_.closed, *seam_, spinors, precision_).factors();
   }
 
-  /// Halves every segment with uneven weights; false when there is none (any more).
-  bool halve_uneven_segments() {
+  /// Refines every segment with uneven weights; false when there is none (any more).
+  bool refine_uneven_segments() {
     const auto spinors = restricted_spinors<double>();
     const auto factors = factors_for<double>(spinors);
     const std::vector<CircleColumns> circle =
@@ -584,19 +576,32 @@ class Planner {
     double largest = 0;
     for (const WeightRange& range : ranges) largest = std::max(largest, range.largest);
     const double least = lines_ == Lines::kEven ? kLeastWeightRatio * largest : 0;
+    bool changed = false;
     std::vector<Segment> refined;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
-      const Segment& segment = segments_[i];
-      if (ranges[i].least > least || segment.halvings == kMostHalvings || room(segment.link) == 0) {
-        refined.push_back(segment);
-        continue;
-      }
-      const Joint joint = has_room_for_cubics(segment.link) ? Joint::kSmooth : Joint::kTangent;
-      for (const Segment& half : halves(segment, joint)) refined.push_back(half);
+      const bool is_uneven = ranges[i].least <= least && can_be_refined(segments_[i]);
+      changed = changed || is_uneven;
+      const std::vector<Segment> parts =
+          is_uneven ? refinement(segments_[i]) : std::vector<Segment>{segments_[i]};
+      refined.insert(refined.end(), parts.begin(), parts.end());
     }
-    const bool changed = refined.size() > segments_.size();
     segments_ = std::move(refined);
     return changed;
+  }
+
+  bool can_be_refined(const Segment& segment) const {
+    return segment.halvings < kMostHalvings && room(segment.link) > 0;
+  }
+
+  /// Lines that may turn, where they were constant; otherwise two halves.
+  std::vector<Segment> refinement(Segment segment) const {
+    if (segment.lines_degree == 0) {
+      segment.lines_degree = 1;
+      return {segment};
+    }
+    const auto parts =
+        halves(segment, segment.lines_degree == 3 ? Joint::kSmooth : Joint::kTangent);
+    return {parts.begin(), parts.end()};
   }
 
   const EnvelopeChain& chain_;

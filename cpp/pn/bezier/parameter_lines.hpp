@@ -27,7 +27,7 @@ namespace pn {
 
 enum class Lines {
   kEven,          ///< smooth faces, even lines
-  kLowestDegree,  ///< F is constant: the degree of the algebra, a face for every arc
+  kLowestDegree,  ///< F constant where weights allow it: the algebra's degree, a face for every arc
 };
 
 /// Arcs around the circle: the least number, doubled up to the most until all weights are positive.

@@ -100,7 +100,7 @@ std::vector<BSplineSurface> PNSurface::faces(Lines lines) const {
 
 Certificate PNSurface::certificate(Lines lines) const {
   const auto rounded = section(lines);
-  Certificate certificate{0, rounded->net->precision(), shared_->chain.notes.empty(), {0, 0},
+  Certificate certificate{0, rounded->net->precision(), shared_->chain.exact, {0, 0},
                           0, shared_->chain.notes};
   for (const RoundedFace& face : rounded->faces) {
     certificate.deviation = std::max(certificate.deviation, face.deviation);

@@ -33,8 +33,8 @@ struct ChainLink {
 struct EnvelopeChain {
   std::vector<ChainLink> links;
   bool closed = false;
-  /// Sentences on what was done to the input, for the certificate; empty when it was taken as it
-  /// is.
+  bool exact = true;  ///< no joint was closed up by more than the rounding of the input
+  /// Sentences for the user: what was done to the input, and what to know of the envelope.
   std::vector<std::string> notes;
 };
 

@@ -19,6 +19,9 @@ namespace {
 constexpr double kClosableGap = 1e-7;
 /// A joint that turns by more than this [rad] is a corner whatever its size.
 constexpr double kClosableAngle = 1e-6;
+/// A smaller turn [rad] is the rounding of the poles next to the joint, a few hundred units in the
+/// last place of their chord; it is closed without a word, its gap counted in the deviation.
+constexpr double kRoundingAngle = 1e-13;
 
 using Vector4 = std::array<Rational, 4>;
 
@@ -205,6 +208,12 @@ bool is_same_circle(const Vector4& a, const Vector4& b) {
   return product.sign() > 0 && product * product == dot(a, a) * dot(b, b);
 }
 
+/// The circles of two directions on the unit sphere meet in two points.
+bool do_circles_cross(const Vector4& a, const Vector4& b) {
+  const Rational product = minkowski(a, b);
+  return product * product < minkowski(a, a) * minkowski(b, b);
+}
+
 /// The angle between two directions in R^4, for the closing of rounding gaps only.
 double angle(const Vector4& a, const Vector4& b) {
   const Rational product = dot(a, b);
@@ -353,15 +362,24 @@ class ChainBuilder {
                   b = circle_at(right.direction.circles, 0);
     if (is_same_circle(a, b)) return is_smooth(left, right) ? Joint::kSmooth : Joint::kTangent;
     const double turn = angle(a, b);
+    const double at = left.end.to_double();
+    if (turn <= kRoundingAngle) return Joint::kTangent;
     if (turn <= kClosableAngle && turn * std::abs(radius_at_start(right)) <= kClosableGap) {
-      chain_.notes.push_back("At parameter " + show(right.begin.to_double()) +
-                             " the spine turns by " + show(turn) +
+      chain_.exact = false;
+      chain_.notes.push_back("At parameter " + show(at) + " the spine turns by " + show(turn) +
                              " rad; the joint is closed and its gap counted in the deviation.");
       return Joint::kTangent;
     }
-    const double t = left.end.to_double();
-    plans_.push_back(
-        {after, standing_sphere(right), {turning_circles(a, b, right), {}}, t, t, Joint::kTangent});
+    if (do_circles_cross(a, b)) {
+      chain_.notes.push_back("At the corner at parameter " + show(at) + ", point " +
+                             place(right, 0) + ", the envelope overlaps itself on the inner side.");
+    }
+    plans_.push_back({after,
+                      standing_sphere(right),
+                      {turning_circles(a, b, right), {}},
+                      at,
+                      at,
+                      Joint::kTangent});
     return Joint::kTangent;
   }
 
