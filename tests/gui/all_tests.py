@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""All tests in FreeCAD's window: freecad -P tests/gui -t all_tests."""
+
+import pathlib
+
+
+def load_tests(loader, _standard_tests, _pattern):
+    return loader.discover(str(pathlib.Path(__file__).parent), pattern="*_test.py")

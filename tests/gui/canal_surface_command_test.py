@@ -1,0 +1,320 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command Canal surface and its task panel, driven as a person drives them."""
+
+import os
+import tempfile
+from unittest import mock
+
+import FreeCAD
+import FreeCADGui
+import main_window
+from support import GuiTest, input_of, poles, wait_for_preview
+
+from pnsurfaces import kernel
+
+
+# An end radius, in millimetres, to which the radius changes faster than Line advances.
+TOO_WIDE = "500"
+
+
+class CreationTest(GuiTest):
+    def test_ok_is_one_undo_step(self):
+        feature, panel = self.open_panel(self.spline, "Edge1")
+        input_of(panel, "RadiusLaw").setCurrentText("Linear")
+        main_window.type_text(input_of(panel, "EndRadius"), "9.5")
+        main_window.type_text(input_of(panel, "Distance"), "-1.25")
+        main_window.click_ok()
+        self.assert_nothing_open()
+        self.assertEqual(self.document.UndoNames, ["Canal surface"])
+        self.assertTrue(feature.isValid())
+        self.assertNotIn("Touched", feature.State)
+        self.assertEqual(feature.EndRadius.Value, 9.5)
+        self.assertEqual(feature.Distance.Value, -1.25)
+        made = poles(feature)
+        self.document.undo()
+        self.assertIsNone(self.document.getObject("CanalSurface"))
+        self.document.redo()
+        self.assertEqual(poles(self.document.CanalSurface), made)
+
+    def test_cancel_leaves_nothing(self):
+        _, panel = self.open_panel(self.spline, "Edge1")
+        main_window.type_text(input_of(panel, "Distance"), "2")
+        wait_for_preview()
+        main_window.click_cancel()
+        self.assert_nothing_open()
+        self.assertEqual(self.document.Objects, [self.line, self.spline])
+        self.assertEqual(self.document.UndoCount, 0)
+
+    def test_cancel_before_the_preview(self):
+        _, panel = self.open_panel(self.spline, "Edge1")
+        main_window.type_text(input_of(panel, "Distance"), "2")
+        main_window.click_cancel()
+        wait_for_preview()
+        self.assert_nothing_open()
+        self.assertEqual(self.document.Objects, [self.line, self.spline])
+
+    def test_without_spine_it_asks_for_one(self):
+        FreeCADGui.Selection.clearSelection()
+        answers = []
+        main_window.answer_message_box(answers)
+        FreeCADGui.runCommand("PNSurfaces_CanalSurface")
+        self.assertEqual(
+            answers, ["Select the spine first: edges of one object, a wire or a sketch."]
+        )
+        self.assertEqual(self.document.Objects, [self.line, self.spline])
+
+    def test_without_kernel_it_says_how_to_install(self):
+        sentence = "The PN Surfaces kernel is not built. Run scripts/build."
+        self.select(self.spline, "Edge1")
+        answers = []
+        main_window.answer_message_box(answers)
+        with mock.patch.object(kernel, "pnkernel", side_effect=kernel.KernelMissing(sentence)):
+            FreeCADGui.runCommand("PNSurfaces_CanalSurface")
+        self.assertEqual(answers, [sentence])
+        self.assertEqual(self.document.Objects, [self.line, self.spline])
+
+    def test_recorded_commands_make_the_same_surface(self):
+        before = len(main_window.recorded_commands())
+        feature, panel = self.open_panel(self.spline, "Edge1")
+        input_of(panel, "RadiusLaw").setCurrentText("Values at vertices")
+        panel.radii.setData(panel.radii.index(2, 0), "7 mm")
+        feature.setExpression("Distance", "1 mm + 0.5 mm")
+        wait_for_preview()
+        main_window.click_ok()
+        made, expressions = poles(feature), feature.ExpressionEngine
+        self.assertEqual([path for path, _ in expressions], ["Distance"])
+        script = main_window.recorded_commands()[before:]
+        self.document.removeObject("CanalSurface")
+        exec("\n".join(script), {"App": FreeCAD, "Gui": FreeCADGui})
+        again = self.document.CanalSurface
+        self.assertEqual(poles(again), made)
+        self.assertEqual(again.ExpressionEngine, expressions)
+
+    def test_closing_the_document_closes_the_panel(self):
+        _, panel = self.open_panel(self.spline, "Edge1")
+        main_window.type_text(input_of(panel, "Distance"), "2")
+        FreeCAD.closeDocument(self.document.Name)
+        wait_for_preview()
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+        self.assertIsNone(FreeCAD.getActiveTransaction())
+
+
+class EditingTest(GuiTest):
+    def setUp(self):
+        super().setUp()
+        self.feature, _ = self.open_panel(self.line, "Edge1")
+        main_window.click_ok()
+        self.document.clearUndos()
+
+    def test_ok_is_one_undo_step(self):
+        radius = self.feature.Radius.Value
+        panel = self.reopen_panel(self.feature)
+        main_window.type_text(input_of(panel, "Distance"), "3")
+        main_window.type_text(input_of(panel, "Radius"), "4.125")
+        main_window.click_ok()
+        self.assert_nothing_open()
+        self.assertEqual(self.document.UndoNames, ["Edit CanalSurface"])
+        self.assert_radius(self.feature, 7.125)
+        self.document.undo()
+        self.assertEqual(self.feature.Distance.Value, 0)
+        self.assertEqual(self.feature.Radius.Value, radius)
+        self.assert_radius(self.feature, radius)
+
+    def test_cancel_restores_everything(self):
+        before = poles(self.feature)
+        panel = self.reopen_panel(self.feature)
+        main_window.type_text(input_of(panel, "Distance"), "3")
+        input_of(panel, "RadiusLaw").setCurrentText("Bezier coefficients")
+        wait_for_preview()
+        self.assertNotEqual(poles(self.feature), before)
+        main_window.click_cancel()
+        self.assert_nothing_open()
+        self.assertEqual(self.feature.Distance.Value, 0)
+        self.assertEqual(self.feature.RadiusLaw, "Constant")
+        self.assertEqual(self.feature.Radii, [])
+        self.assertEqual(poles(self.feature), before)
+        self.assertNotIn("Touched", self.feature.State)
+        self.assertEqual(self.document.UndoCount, 0)
+
+    def test_cancel_after_an_error_restores_a_valid_feature(self):
+        panel = self.reopen_panel(self.feature)
+        input_of(panel, "RadiusLaw").setCurrentText("Linear")
+        main_window.type_text(input_of(panel, "EndRadius"), TOO_WIDE)
+        wait_for_preview()
+        self.assertFalse(self.feature.isValid())
+        main_window.click_cancel()
+        self.assertTrue(self.feature.isValid())
+        self.assertEqual(self.feature.Status, "Valid")
+        self.assertNotIn("Touched", self.feature.State)
+
+    def test_looking_changes_nothing(self):
+        self.feature.Radius = 1.23456789
+        self.document.recompute()
+        self.document.clearUndos()
+        self.reopen_panel(self.feature)
+        main_window.click_ok()
+        self.assertEqual(self.feature.Radius.Value, 1.23456789)
+
+    def test_dependent_objects_follow_on_ok_only(self):
+        follower = self.document.addObject("Part::Box", "Follower")
+        follower.setExpression("Length", "CanalSurface.Distance + 1 mm")
+        self.document.recompute()
+        panel = self.reopen_panel(self.feature)
+        main_window.type_text(input_of(panel, "Distance"), "3")
+        wait_for_preview()
+        self.assertEqual(follower.Length.Value, 1)
+        main_window.click_ok()
+        self.assertEqual(follower.Length.Value, 4)
+
+    def test_preview_follows_typing_after_a_pause(self):
+        panel = self.reopen_panel(self.feature)
+        radius = self.feature.Radius.Value
+        main_window.type_text(input_of(panel, "Distance"), "2.5")
+        self.assert_radius(self.feature, radius)
+        wait_for_preview()
+        self.assert_radius(self.feature, radius + 2.5)
+        self.assertEqual(input_of(panel, "Poles").text(), str(self.feature.Poles))
+
+    def test_expression_in_the_panel(self):
+        panel = self.reopen_panel(self.feature)
+        self.feature.setExpression("Distance", "2 mm + 3 mm")
+        wait_for_preview()
+        self.assertEqual(input_of(panel, "Distance").property("rawValue"), 5)
+        main_window.click_ok()
+        self.assertEqual([path for path, _ in self.feature.ExpressionEngine], ["Distance"])
+        self.assert_radius(self.feature, self.feature.Radius.Value + 5)
+
+    def test_saved_document_can_be_edited(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        path = os.path.join(folder.name, "saved.FCStd")
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        main_window.settle()
+        feature = self.document.CanalSurface
+        before = poles(feature)
+        panel = self.reopen_panel(feature)
+        main_window.type_text(input_of(panel, "Distance"), "3")
+        wait_for_preview()
+        self.assertNotEqual(poles(feature), before)
+        main_window.click_cancel()
+        self.assertEqual(poles(feature), before)
+
+    def test_deleting_the_feature_closes_the_panel(self):
+        panel = self.reopen_panel(self.feature)
+        main_window.type_text(input_of(panel, "Distance"), "3")
+        self.document.removeObject(self.feature.Name)
+        wait_for_preview()
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+
+
+class PanelTest(GuiTest):
+    def test_spine_is_recognised(self):
+        _, panel = self.open_panel(self.spline, "Edge1")
+        self.assertIn("Degree 3, 4 spans, 5 vertices", input_of(panel, "spine").text())
+
+    def test_selection_replaces_the_spine(self):
+        feature, panel = self.open_panel(self.spline, "Edge1")
+        self.select(self.line, "Edge1")
+        input_of(panel, "use_selection").click()
+        wait_for_preview()
+        self.assertEqual(feature.Spine, (self.line, ["Edge1"]))
+        self.assert_radius(feature, feature.Radius.Value)
+        FreeCADGui.Selection.clearSelection()
+        input_of(panel, "use_selection").click()
+        self.assertIn("Select edges", input_of(panel, "spine").text())
+        self.assertEqual(feature.Spine, (self.line, ["Edge1"]))
+
+    def test_values_at_vertices(self):
+        feature, panel = self.open_panel(self.spline, "Edge1")
+        input_of(panel, "RadiusLaw").setCurrentText("Values at vertices")
+        wait_for_preview()
+        self.assertEqual(feature.Radii, [feature.Radius.Value] * 5)
+        for row, text in enumerate(["5", "4 mm", "6.5", "1 cm", "12"]):
+            self.assertTrue(panel.radii.setData(panel.radii.index(row, 0), text))
+        wait_for_preview()
+        self.assertEqual(feature.Radii, [5, 4, 6.5, 10, 12])
+        self.assertTrue(feature.isValid(), feature.getStatusString())
+        main_window.screenshot("values_at_vertices")
+        for text in ("wide", "3 deg", ""):
+            self.assertFalse(panel.radii.setData(panel.radii.index(0, 0), text))
+        self.assertEqual(feature.Radii, [5, 4, 6.5, 10, 12])
+
+    def test_radii_are_shown_in_full_when_edited(self):
+        feature, panel = self.open_panel(self.line, "Edge1")
+        input_of(panel, "RadiusLaw").setCurrentText("Bezier coefficients")
+        index = panel.radii.index(0, 0)
+        panel.radii.setData(index, "1.23456789 mm")
+        panel.radii.setData(index, panel.radii.data(index, main_window.EDIT_ROLE))
+        self.assertEqual(feature.Radii[0], 1.23456789)
+
+    def test_bezier_coefficients(self):
+        feature, panel = self.open_panel(self.line, "Edge1")
+        radius = feature.Radius.Value
+        input_of(panel, "RadiusLaw").setCurrentText("Bezier coefficients")
+        self.assertEqual(feature.Radii, [radius, radius])
+        input_of(panel, "add_coefficient").click()
+        panel.radii.setData(panel.radii.index(2, 0), "9")
+        wait_for_preview()
+        self.assertEqual(feature.Radii, [radius, radius, 9])
+        self.assertTrue(feature.isValid(), feature.getStatusString())
+        main_window.screenshot("bezier_coefficients")
+        for _ in range(3):
+            input_of(panel, "remove_coefficient").click()
+        self.assertEqual(feature.Radii, [radius])
+
+    def test_error_is_a_sentence_and_recovers(self):
+        feature, panel = self.open_panel(self.line, "Edge1")
+        good = poles(feature)
+        input_of(panel, "RadiusLaw").setCurrentText("Linear")
+        main_window.type_text(input_of(panel, "EndRadius"), TOO_WIDE)
+        wait_for_preview()
+        status = input_of(panel, "status")
+        self.assertFalse(feature.isValid())
+        self.assertEqual(status.text(), f"Error: {feature.getStatusString()}")
+        self.assertIn("color", status.styleSheet())
+        self.assertFalse(input_of(panel, "Degree").isEnabled())
+        self.assertEqual(poles(feature), good)
+        main_window.screenshot("error")
+        main_window.click_ok()
+        self.assertTrue(FreeCADGui.Control.activeDialog())
+        main_window.type_text(input_of(panel, "EndRadius"), "2")
+        wait_for_preview()
+        self.assertEqual(status.text(), "Valid")
+        self.assertEqual(status.styleSheet(), "")
+        self.assertTrue(input_of(panel, "Degree").isEnabled())
+
+    def test_error_reaches_the_tree(self):
+        feature, _ = self.open_panel(self.line, "Edge1")
+        main_window.click_ok()
+        feature.RadiusLaw = "Linear"
+        feature.EndRadius = float(TOO_WIDE)
+        self.document.recompute()
+        main_window.settle()
+        self.assertIn(feature.getStatusString(), main_window.hover_in_tree(feature.Label))
+
+    def test_distance_outside_the_regular_range_warns(self):
+        feature, panel = self.open_panel(self.line, "Edge1")
+        main_window.type_text(input_of(panel, "Radius"), "5")
+        main_window.type_text(input_of(panel, "Distance"), "-7")
+        wait_for_preview()
+        self.assertTrue(feature.isValid())
+        status = input_of(panel, "status")
+        self.assertTrue(status.text().startswith("Warning: "), status.text())
+        self.assertIn("color", status.styleSheet())
+        self.assertEqual(input_of(panel, "regular_range").text(), "-5 to ∞ mm")
+        main_window.screenshot("warning")
+
+    def test_wall(self):
+        feature, panel = self.open_panel(self.spline, "Edge1")
+        input_of(panel, "RadiusLaw").setCurrentText("Linear")
+        main_window.type_text(input_of(panel, "EndRadius"), "12")
+        main_window.type_text(input_of(panel, "Distance"), "1")
+        input_of(panel, "Sides").setCurrentText("Both sides")
+        input_of(panel, "Output").setCurrentText("Solid")
+        wait_for_preview()
+        self.assertTrue(feature.isValid(), feature.getStatusString())
+        main_window.screenshot("wall")
+        main_window.click_ok()
+        main_window.screenshot("wall_in_tree")

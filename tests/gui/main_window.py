@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a person does in the main window of FreeCAD, for tests: click, type, look."""
+
+import pathlib
+
+import FreeCAD
+import FreeCADGui
+
+from pnsurfaces.compat import QtCore, QtGui, QtWidgets
+
+SCREENSHOTS = pathlib.Path(__file__).resolve().parents[2] / "build" / "screenshots"
+
+EDIT_ROLE = QtCore.Qt.EditRole
+
+# Time in which FreeCAD handles its pending events and paints, in milliseconds.
+_SETTLING_TIME = 200
+
+
+def show():
+    """The main window, large enough for tree, task panel and 3D view."""
+    window = FreeCADGui.getMainWindow()
+    window.resize(1440, 900)
+    window.show()
+    for log in ("Report view", "Python console"):
+        window.findChild(QtWidgets.QDockWidget, log).hide()
+    FreeCADGui.activateWorkbench("PNSurfacesWorkbench")
+    settle()
+
+
+def settle(milliseconds=_SETTLING_TIME):
+    """Lets FreeCAD handle its events and timers for a while."""
+    loop = QtCore.QEventLoop()
+    QtCore.QTimer.singleShot(milliseconds, loop.quit)
+    loop.exec_()
+
+
+def type_text(widget, text):
+    """Replaces the text of a widget by typing, key by key."""
+    widget.setFocus()
+    widget.selectAll()
+    for character in text:
+        press(widget, ord(character.upper()), character)
+
+
+def press(widget, key, text=""):
+    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+        event = QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier, text)
+        QtWidgets.QApplication.sendEvent(widget, event)
+
+
+def click(button):
+    """Clicks OK or Cancel (QDialogButtonBox.Ok, .Cancel) of the task panel."""
+    boxes = FreeCADGui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
+    next(box for box in boxes if box.isVisible()).button(button).click()
+    settle()
+
+
+def click_ok():
+    click(QtWidgets.QDialogButtonBox.Ok)
+
+
+def click_cancel():
+    click(QtWidgets.QDialogButtonBox.Cancel)
+
+
+def double_click_in_tree(label):
+    tree, item = _tree_item(label)
+    position = tree.visualItemRect(item).center()
+    viewport = tree.viewport()
+    left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+    for kind, buttons in (
+        (QtCore.QEvent.MouseButtonPress, left),
+        (QtCore.QEvent.MouseButtonRelease, none),
+        (QtCore.QEvent.MouseButtonDblClick, left),
+        (QtCore.QEvent.MouseButtonRelease, none),
+    ):
+        event = QtGui.QMouseEvent(
+            kind, position, viewport.mapToGlobal(position), left, buttons, QtCore.Qt.NoModifier
+        )
+        QtWidgets.QApplication.sendEvent(viewport, event)
+    settle()
+
+
+def hover_in_tree(label):
+    """The tooltip that appears when the pointer enters an object in the tree."""
+    tree, item = _tree_item(label)
+    tree.itemEntered.emit(item, 0)
+    return QtWidgets.QToolTip.text()
+
+
+def answer_message_box(answers):
+    """Closes the message box that opens next and appends its text to the list `answers`."""
+
+    def close(box):
+        answers.append(box.text())
+        box.accept()
+
+    _with_next_dialog(close)
+
+
+def edit_preferences(group, edit):
+    """Opens the preferences at a group, calls edit(widget_of_name) and closes them by OK."""
+    failures = []
+
+    def act(dialog):
+        try:
+            edit(lambda name: dialog.findChild(QtWidgets.QWidget, name))
+        except Exception as error:
+            # Raised in the event loop of the dialog it would not reach the test.
+            failures.append(error)
+        dialog.accept()
+
+    _with_next_dialog(act)
+    FreeCADGui.showPreferences(group, 0)
+    if failures:
+        raise failures[0]
+
+
+def recorded_commands():
+    """What FreeCAD has done, as a macro would record it: the commands in the Python console."""
+    console = FreeCADGui.getMainWindow().findChild(QtWidgets.QPlainTextEdit, "Python console")
+    lines = console.toPlainText().splitlines()
+    return [line[4:] for line in lines if line.startswith(">>> ") and line[4:]]
+
+
+def screenshot(name):
+    """Keeps pictures of the whole window and of the 3D view."""
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    settle()
+    # A widget cannot grab the OpenGL part of itself, the screen can.
+    window = FreeCADGui.getMainWindow()
+    window.screen().grabWindow(window.winId()).save(str(SCREENSHOTS / f"{name}.png"))
+    view = FreeCADGui.activeDocument().activeView()
+    view.saveImage(str(SCREENSHOTS / f"{name}_3d.png"), 1200, 800, "White")
+
+
+def _with_next_dialog(act):
+    """Calls act(dialog) when the next modal dialog is open, which holds up its caller."""
+
+    def look():
+        dialog = QtWidgets.QApplication.activeModalWidget()
+        if dialog:
+            act(dialog)
+        else:
+            QtCore.QTimer.singleShot(_SETTLING_TIME, look)
+
+    QtCore.QTimer.singleShot(_SETTLING_TIME, look)
+
+
+def _tree_item(label):
+    for tree in FreeCADGui.getMainWindow().findChildren(QtWidgets.QTreeWidget):
+        items = tree.findItems(label, QtCore.Qt.MatchRecursive | QtCore.Qt.MatchExactly)
+        if items and tree.isVisible():
+            return tree, items[0]
+    raise LookupError(f"The tree has no {label}.")

@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Exact offset surfaces in FreeCAD. Lengths are millimetres.
+
+The compiled kernel is loaded when a surface is computed, not when this package is imported: a
+document opens, with its stored shapes, without it.
+"""
+
+from pnsurfaces.canal_surface import make_canal_surface
+from pnsurfaces.export import export_step
+
+__all__ = ["export_step", "make_canal_surface"]

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The canal surface in the tree: the envelope of spheres along a spine."""
+
+import FreeCAD
+
+from pnsurfaces import kernel
+from pnsurfaces.feature import QT_TRANSLATE_NOOP, FeatureBase, Property
+from pnsurfaces.radius_law import (
+    BEZIER_COEFFICIENTS,
+    CONSTANT,
+    INPUTS_OF_LAW,
+    LINEAR,
+    VALUES_AT_VERTICES,
+    radius_law,
+)
+from pnsurfaces.spine import SpineError, read_spine
+
+GROUP = "Canal surface"
+
+# Editor modes of FreeCAD's properties.
+_SHOWN = 0
+_HIDDEN = 2
+
+
+class CanalSurface(FeatureBase):
+    """Proxy of a canal surface: a spine and the law of the radius along it."""
+
+    inputs = (
+        Property("App::PropertyLinkSub", "Spine", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property", "Edges through the centres of the spheres")),
+        Property("App::PropertyEnumeration", "RadiusLaw", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property", "How the radius runs along the spine"),
+                 list(INPUTS_OF_LAW)),
+        Property("App::PropertyLength", "Radius", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property", "Radius, or radius at the start"),
+                 1.0),
+        Property("App::PropertyLength", "EndRadius", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property", "Radius at the end"),
+                 1.0),
+        Property("App::PropertyFloatList", "Radii", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property",
+                                   "Radii at the vertices, or Bezier coefficients, in mm")),
+    )
+
+    def surface(self, obj):
+        if obj.Spine is None:
+            raise SpineError("The spine is missing. Choose an edge, a wire or a sketch.")
+        source, names = obj.Spine
+        spine = read_spine(source, names, container=obj.getParentGeoFeatureGroup())
+        return kernel.pnkernel().canal_surface(spine.curve, radius_law(obj, spine))
+
+    def onChanged(self, obj, name):
+        # While a document is read, other properties may not be there yet.
+        if name == "RadiusLaw" and not obj.Document.Restoring:
+            _show_inputs_of_law(obj)
+
+
+def make_canal_surface(spine, radius, distance=0, *, document=None, name="CanalSurface",
+                       **properties):
+    """A canal surface in the tree, computed. Lengths are millimetres or strings with a unit.
+
+    Parameters
+    ----------
+    spine : document object (all its edges), (object, "Edge1") or (object, ["Edge1", "Edge2"])
+    radius : number (constant), (start, end) (linear), or (law, list of radii) with the law
+        "Values at vertices" or "Bezier coefficients"
+    distance : signed offset, positive away from the spine
+    document : the document of the spine unless given
+    name : wanted internal name and label
+    properties : values of further properties, such as Output="Solid" or Sides="Both sides"
+
+    Returns the document object. A surface that cannot be computed is there all the same, as in the
+    tree, with the reason in getStatusString() and the property Status.
+
+    Raises AttributeError or TypeError for a property that does not exist or cannot have the value;
+    nothing is then left in the document.
+    """
+    source, names = spine if isinstance(spine, (tuple, list)) else (spine, [])
+    values = {"Spine": (source, names), "Distance": distance, **_radius_values(radius)}
+    document = document or source.Document
+    obj = document.addObject("Part::FeaturePython", name)
+    try:
+        CanalSurface(obj)
+        for property_name, value in {**values, **properties}.items():
+            setattr(obj, property_name, value)
+    except Exception:
+        document.removeObject(obj.Name)
+        raise
+    if FreeCAD.GuiUp:
+        from pnsurfaces.view_provider import ViewProviderPNSurface
+
+        ViewProviderPNSurface(obj.ViewObject)
+    obj.recompute(True)
+    return obj
+
+
+def _radius_values(radius):
+    """The property values that a radius argument stands for."""
+    if not isinstance(radius, (tuple, list)):
+        return {"RadiusLaw": CONSTANT, "Radius": radius}
+    first, second = radius
+    if first in (VALUES_AT_VERTICES, BEZIER_COEFFICIENTS):
+        return {"RadiusLaw": first, "Radii": list(second)}
+    return {"RadiusLaw": LINEAR, "Radius": first, "EndRadius": second}
+
+
+def _show_inputs_of_law(obj):
+    used = INPUTS_OF_LAW[obj.RadiusLaw]
+    for name in {name for names in INPUTS_OF_LAW.values() for name in names}:
+        obj.setEditorMode(name, _SHOWN if name in used else _HIDDEN)

@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all exact surfaces in the tree share: offset, output, results, status and storage."""
+
+from decimal import ROUND_UP, Context
+from typing import Any, NamedTuple
+
+import FreeCAD
+
+from pnsurfaces.kernel import KernelMissing
+from pnsurfaces.shape import solid_of_sections, storage_loss, surface_of_sections
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+# The distances that each choice shows, the smallest first.
+SIDES = {
+    "Offset": lambda distance: [distance],
+    "Base and offset": lambda distance: sorted({0.0, distance}),
+    "Both sides": lambda distance: sorted({-distance, distance}),
+}
+
+OUTPUTS = {"Surface": surface_of_sections, "Solid": solid_of_sections}
+
+# What the user chooses, and what the kernel calls it.
+PARAMETER_LINES = {"Even": "even", "Lowest degree": "lowest_degree"}
+
+VALID = "Valid"
+
+# FreeCAD writes the numbers of a file with 17 decimals: this far, in millimetres, may each be off,
+# half by writing and half by reading.
+STORED_RESOLUTION = 1e-17
+
+# Attributes of FreeCAD's properties. A change of an output asks for no recompute.
+READ_ONLY = 1
+HIDDEN = 4
+OUTPUT = 8
+
+
+class Property(NamedTuple):
+    """A property of a feature. `value` is its default, or the choices of an enumeration."""
+
+    type: str
+    name: str
+    group: str
+    doc: str
+    value: Any = None
+    attributes: int = 0
+
+
+def _result(type_, name, doc):
+    return Property(type_, name, "Result", doc, attributes=READ_ONLY | OUTPUT)
+
+
+OFFSET_INPUTS = (
+    Property("App::PropertyDistance", "Distance", "Offset",
+             QT_TRANSLATE_NOOP("App::Property", "Signed distance from the base surface")),
+    Property("App::PropertyEnumeration", "Sides", "Offset",
+             QT_TRANSLATE_NOOP("App::Property", "The surfaces that are made"),
+             list(SIDES)),
+    Property("App::PropertyEnumeration", "Output", "Offset",
+             QT_TRANSLATE_NOOP("App::Property", "Open surfaces, or a solid with closed ends"),
+             list(OUTPUTS)),
+    Property("App::PropertyEnumeration", "ParameterLines", "Offset",
+             QT_TRANSLATE_NOOP("App::Property",
+                               "Smooth faces with even parameter lines, or the lowest degree"),
+             list(PARAMETER_LINES)),
+)
+
+RESULTS = (
+    _result("App::PropertyString", "Degree",
+            QT_TRANSLATE_NOOP("App::Property", "Degree along and across the faces")),
+    _result("App::PropertyInteger", "Poles",
+            QT_TRANSLATE_NOOP("App::Property", "Number of poles of all faces")),
+    _result("App::PropertyString", "Deviation",
+            QT_TRANSLATE_NOOP("App::Property",
+                              "Proven bound on the distance to the true surface")),
+    _result("App::PropertyFloat", "DeviationBound",
+            QT_TRANSLATE_NOOP("App::Property", "The same bound as a number, in millimetres")),
+    _result("App::PropertyBool", "Exact",
+            QT_TRANSLATE_NOOP("App::Property", "Whether only rounding to doubles deviates")),
+    _result("App::PropertyStringList", "Notes",
+            QT_TRANSLATE_NOOP("App::Property", "What else was done to the input")),
+    _result("App::PropertyDistance", "MinOffset",
+            QT_TRANSLATE_NOOP("App::Property", "Smallest distance without a singular point")),
+    _result("App::PropertyDistance", "MaxOffset",
+            QT_TRANSLATE_NOOP("App::Property", "Largest distance without a singular point")),
+    _result("App::PropertyString", "Status",
+            QT_TRANSLATE_NOOP("App::Property", "Valid, a warning or an error")),
+    Property("App::PropertyInteger", "SchemaVersion", "Result",
+             QT_TRANSLATE_NOOP("App::Property", "Version of this list of properties"),
+             attributes=HIDDEN | OUTPUT),
+)
+
+
+class FeatureBase:
+    """Proxy of a Part::FeaturePython whose shape shows sections of one exact surface.
+
+    A subclass lists its own inputs and makes the surface. All data lives in properties. The path
+    of the subclass is part of the file format.
+    """
+
+    inputs = ()
+    schema_version = 1
+
+    def __init__(self, obj):
+        self._add_missing_properties(obj)
+        obj.Proxy = self
+
+    def surface(self, obj):
+        """The kernel's surface at distance 0, from the subclass's inputs."""
+        raise NotImplementedError
+
+    def execute(self, obj):
+        """Makes the shape and the results; on failure keeps both and says why."""
+        try:
+            shape, results = self._computed(obj)
+        except Exception as error:
+            obj.Status = f"Error: {error}"
+            raise
+        obj.Shape = shape
+        for name, value in results.items():
+            setattr(obj, name, value)
+        if obj.Status != VALID:
+            FreeCAD.Console.PrintWarning(f"{obj.Label}: {obj.Status}\n")
+
+    def onDocumentRestored(self, obj):
+        """Adds the properties that the saving program did not know, and the digits it cut."""
+        self._add_missing_properties(obj)
+        if obj.Deviation:
+            obj.DeviationBound = float(obj.Deviation.removesuffix(" mm"))
+        self._restore_digits(obj)
+
+    def _computed(self, obj):
+        """The shape and the values of the result properties, by name."""
+        surface = self.surface(obj)
+        distances = SIDES[obj.Sides](obj.Distance.Value)
+        sections = [surface.offset(distance) for distance in distances]
+        lines = PARAMETER_LINES[obj.ParameterLines]
+        faces = [section.bsplines(lines=lines) for section in sections]
+        return OUTPUTS[obj.Output](faces), _results(surface, sections, faces)
+
+    def _restore_digits(self, obj):
+        """Replaces a shape that lost digits in the file by the exact one, and no other shape."""
+        try:
+            exact, _ = self._computed(obj)
+        except (ValueError, KernelMissing):
+            return  # Nothing to compare with: the stored shape stays, as after a failed recompute.
+        stored = obj.Shape.copy(False)
+        stored.Placement = FreeCAD.Placement()
+        if 0 < storage_loss(stored, exact) <= STORED_RESOLUTION:
+            exact.Placement = obj.Placement
+            obj.Shape = exact
+            obj.purgeTouched()
+
+    def __getstate__(self):
+        return None
+
+    def __setstate__(self, state):
+        pass
+
+    # The same pair, under the names that FreeCAD calls from 0.21.2 on.
+    dumps = __getstate__
+    loads = __setstate__
+
+    def _add_missing_properties(self, obj):
+        for entry in (*self.inputs, *OFFSET_INPUTS, *RESULTS):
+            if entry.name not in obj.PropertiesList:
+                obj.addProperty(entry.type, entry.name, entry.group, entry.doc, entry.attributes)
+                if entry.value is not None:
+                    setattr(obj, entry.name, entry.value)
+        obj.SchemaVersion = self.schema_version
+
+
+def _results(surface, sections, faces):
+    """The values of the result properties, by name."""
+    certificates = [section.certificate for section in sections]
+    notes = [note for certificate in certificates for note in certificate.notes]
+    every_face = [face for section_faces in faces for face in section_faces]
+    bound = _rounded_up(max(certificate.deviation for certificate in certificates))
+    low, high = surface.regular_range
+    notes = list(dict.fromkeys(notes))
+    warnings = _irregularities([section.distance for section in sections], low, high) + notes
+    u_degree = max(face.u_degree for face in every_face)
+    v_degree = max(face.v_degree for face in every_face)
+    return {
+        "Degree": f"{u_degree} x {v_degree}",
+        "Poles": sum(face.weights.size for face in every_face),
+        "Deviation": f"{bound:.1e} mm",
+        "DeviationBound": bound,
+        "Exact": all(certificate.exact for certificate in certificates),
+        "Notes": notes,
+        "MinOffset": low,
+        "MaxOffset": high,
+        "Status": f"Warning: {' '.join(warnings)}" if warnings else VALID,
+    }
+
+
+def _irregularities(distances, low, high):
+    """A sentence for each distance at which the surface has singular points."""
+    if low >= high:
+        return ["The surface has singular points at every distance."]
+    below = [f"At {d:.6g} mm, below the limit of {low:.6g} mm, the surface has singular points."
+             for d in distances if d < low]
+    above = [f"At {d:.6g} mm, above the limit of {high:.6g} mm, the surface has singular points."
+             for d in distances if d > high]
+    return below + above
+
+
+def _rounded_up(bound):
+    """A bound with two digits, as it is shown; it must not become smaller by that."""
+    return float(Context(prec=2, rounding=ROUND_UP).create_decimal_from_float(bound))

@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel that all exact surfaces share: offset, live result, one undo step."""
+
+import contextlib
+import math
+
+import FreeCAD
+import FreeCADGui
+
+from pnsurfaces import resources
+from pnsurfaces.compat import QtCore, QtGui, QtWidgets
+
+translate = FreeCAD.Qt.translate
+
+# The pause in typing after which the surface follows, in milliseconds: longer than between two
+# keystrokes, shorter than what is felt as waiting.
+PREVIEW_DELAY = 150
+
+# FreeCAD's name of the Report view among the observers of its console.
+_REPORT_VIEW = "ReportOutput"
+
+# How a status that opens with this word is shown, readable on light and on dark panels.
+_STYLES = {"Error": "color: #e01b24", "Warning": "color: #c86400"}
+
+
+def load_form(name):
+    """The widget of resources/ui/<name>.ui."""
+    return FreeCADGui.PySideUic.loadUi(resources.form(name))
+
+
+@contextlib.contextmanager
+def _silent_report_view():
+    """Keeps the Report view from opening at an unfinished number: the panel says what is wrong."""
+    console = FreeCAD.Console
+    kinds = [kind for kind in ("Err", "Wrn") if console.GetStatus(_REPORT_VIEW, kind)]
+    for kind in kinds:
+        console.SetStatus(_REPORT_VIEW, kind, False)
+    try:
+        yield
+    finally:
+        for kind in kinds:
+            console.SetStatus(_REPORT_VIEW, kind, True)
+
+
+class TaskPanel:
+    """Edits a feature from opening to OK or Cancel: one undo step, or nothing left behind.
+
+    An input widget named like a property of the feature edits that property, a result label named
+    like one shows it.
+    """
+
+    def __init__(self, feature, inputs):
+        """`inputs` is the form with the inputs of this kind of surface."""
+        self.feature = feature
+        self._result = load_form("result")
+        self.form = [inputs, load_form("offset"), self._result]
+        self._document = feature.Document
+        self._was_touched = "Touched" in feature.State
+        self._before = {}
+        self._timer = QtCore.QTimer(singleShot=True, interval=PREVIEW_DELAY)
+        self._timer.timeout.connect(self.preview)
+        self._open_transaction()
+        icon = QtGui.QIcon(feature.ViewObject.Proxy.getIcon())
+        for form in self.form:
+            form.setWindowIcon(icon)
+        for form in self.form[:-1]:
+            self._bind(form)
+        self.show_result()
+
+    def assign(self, name, value):
+        """Gives a property a value; the surface follows after a pause."""
+        setattr(self.feature, name, value)
+        self._timer.start()
+
+    def record(self, name):
+        """Has the property `name` in the recorded macro when it differs at the end."""
+        self._before[name] = _state(self.feature, name)
+
+    def preview(self):
+        """Computes this feature, and no other, and shows the result."""
+        self._timer.stop()
+        with _silent_report_view():
+            self.feature.recompute()
+        self.show_result()
+
+    def show_result(self):
+        """Shows the results of the feature, greyed when they are those of an earlier shape."""
+        valid = self.feature.isValid()
+        status = self.feature.Status if valid else f"Error: {self.feature.getStatusString()}"
+        kind, _, _ = status.partition(":")
+        self._result.status.setText(status)
+        self._result.status.setStyleSheet(_STYLES.get(kind, ""))
+        self._result.values.setEnabled(valid)
+        for label in self._result.values.findChildren(QtWidgets.QLabel):
+            if label.objectName() in self.feature.PropertiesList:
+                label.setText(_display(getattr(self.feature, label.objectName())))
+        self._result.regular_range.setText(
+            _range(self.feature.MinOffset.Value, self.feature.MaxOffset.Value)
+        )
+
+    def accept(self):
+        """OK: keeps the surface. Without a surface the panel stays and says why."""
+        self.preview()
+        if not self.feature.isValid():
+            return False
+        self._record_macro()
+        FreeCAD.closeActiveTransaction()
+        FreeCADGui.getDocument(self._document.Name).resetEdit()
+        return True
+
+    def reject(self):
+        """Cancel: restores what was there when the panel opened."""
+        name = self.feature.Name
+        FreeCAD.closeActiveTransaction(True)
+        if self._document.getObject(name):
+            self._restore_state()
+        FreeCADGui.getDocument(self._document.Name).resetEdit()
+        return True
+
+    def close(self):
+        """Ends the live preview. The view provider calls it whatever closes the panel."""
+        self._timer.stop()
+        for form in self.form:
+            # A number box that loses the focus reports its value once more.
+            for widget in form.findChildren(QtWidgets.QWidget):
+                widget.blockSignals(True)
+
+    def _open_transaction(self):
+        # The command that creates a surface has opened its own.
+        if not self._document.HasPendingTransaction:
+            name = translate("PNSurfaces", "Edit {}").format(self.feature.Label)
+            # Persistent, because the double-click in the tree ends its transaction at once.
+            FreeCAD.setActiveTransaction(name, True)
+
+    def _bind(self, form):
+        for widget in form.findChildren(QtWidgets.QWidget):
+            name = widget.objectName()
+            if name not in self.feature.PropertiesList:
+                continue
+            self.record(name)
+            if isinstance(widget, QtWidgets.QComboBox):
+                self._bind_enumeration(widget, name)
+            else:
+                self._bind_quantity(widget, name)
+
+    def _bind_enumeration(self, combo_box, name):
+        combo_box.addItems(self.feature.getEnumerationsOfProperty(name))
+        combo_box.setCurrentText(getattr(self.feature, name))
+        combo_box.currentTextChanged.connect(lambda text: self.assign(name, text))
+
+    def _bind_quantity(self, spin_box, name):
+        FreeCADGui.ExpressionBinding(spin_box).bind(self.feature, name)
+        # The box rounds what it is given: it may not write that back, so it is filled first.
+        spin_box.setProperty("value", getattr(self.feature, name))
+        spin_box.valueChanged.connect(lambda quantity: self.assign(name, quantity))
+
+    def _restore_state(self):
+        if not self.feature.isValid():
+            self.feature.recompute()
+        if not self._was_touched:
+            self.feature.purgeTouched()
+
+    def _record_macro(self):
+        document = f"App.getDocument({self._document.Name!r})"
+        feature = f"{document}.getObject({self.feature.Name!r})"
+        for name, (old_expression, old_value) in self._before.items():
+            expression, value = _state(self.feature, name)
+            if expression != old_expression:
+                FreeCADGui.doCommand(f"{feature}.setExpression({name!r}, {expression!r})")
+            elif value != old_value:
+                FreeCADGui.doCommand(f"{feature}.{name} = {value}")
+        FreeCADGui.doCommand(f"{document}.recompute()")
+
+
+def _state(feature, name):
+    """Expression of a property, or None, and its value as Python source."""
+    return dict(feature.ExpressionEngine).get(name), literal(getattr(feature, name))
+
+
+def literal(value):
+    """Python source of the value of a property, lengths in millimetres. Tuples are pairs."""
+    if isinstance(value, FreeCAD.Units.Quantity):
+        return repr(value.Value)
+    if isinstance(value, FreeCAD.DocumentObject):
+        return f"App.getDocument({value.Document.Name!r}).getObject({value.Name!r})"
+    if isinstance(value, (list, tuple)):
+        items = ", ".join(literal(item) for item in value)
+        return f"[{items}]" if isinstance(value, list) else f"({items})"
+    return repr(value)
+
+
+def _display(value):
+    if isinstance(value, bool):
+        return translate("PNSurfaces", "Yes") if value else translate("PNSurfaces", "No")
+    return str(value)
+
+
+def _range(low, high):
+    """The distances between two limits in millimetres, which may be infinite."""
+    if low >= high:
+        return translate("PNSurfaces", "empty")
+    limits = [f"{limit:.6g}" if math.isfinite(limit) else "∞" for limit in (low, high)]
+    return translate("PNSurfaces", "{} to {} mm").format(*limits)

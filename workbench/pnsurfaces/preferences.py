@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the user chose on the preferences page, and the choices before that."""
+
+import FreeCAD
+
+from pnsurfaces.feature import PARAMETER_LINES
+
+# In the order of the boxes of resources/ui/preferences.ui, which store an index.
+_PARAMETER_LINES = tuple(PARAMETER_LINES)
+_STEP_SCHEMAS = ("AP203", "AP214", "AP242")
+
+
+def distance():
+    """Offset distance of a new surface, in millimetres."""
+    return _parameters().GetFloat("Distance", 0.0)
+
+
+def parameter_lines():
+    """The choice of ParameterLines of a new surface."""
+    return _PARAMETER_LINES[_parameters().GetInt("ParameterLines", 0)]
+
+
+def step_schema():
+    """The schema of exported STEP files: "AP203", "AP214" or "AP242"."""
+    return _STEP_SCHEMAS[_parameters().GetInt("StepSchema", 1)]
+
+
+def _parameters():
+    return FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/PNSurfaces")

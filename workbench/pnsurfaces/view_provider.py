@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How every exact surface appears in the tree, and that a double-click edits it."""
+
+import FreeCADGui
+
+from pnsurfaces import resources
+from pnsurfaces.canal_surface import CanalSurface
+from pnsurfaces.canal_surface_panel import CanalSurfacePanel
+
+# The task panel that edits a feature of each class.
+PANELS = {CanalSurface: CanalSurfacePanel}
+
+# Edit modes other than this one (moving, colouring) are FreeCAD's own.
+_DEFAULT_MODE = 0
+
+# FreeCAD's own tessellation shows corners on a flaring tube: per cent of its size, and degrees.
+_DEVIATION = 0.1
+_ANGULAR_DEFLECTION = 10
+
+
+class ViewProviderPNSurface:
+    """View provider of an exact surface. Its path is part of the file format."""
+
+    def __init__(self, view_object):
+        view_object.Proxy = self
+        view_object.Deviation = _DEVIATION
+        view_object.AngularDeflection = _ANGULAR_DEFLECTION
+
+    def attach(self, view_object):
+        self.object = view_object.Object
+        self.panel = None
+
+    def getIcon(self):
+        return resources.icon(f"PNSurfaces_{type(self.object.Proxy).__name__}")
+
+    def claimChildren(self):
+        """The objects that the surface is made from."""
+        names = self.object.PropertiesList
+        links = [
+            getattr(self.object, name)
+            for name in names
+            if self.object.getTypeIdOfProperty(name) == "App::PropertyLinkSub"
+        ]
+        return [link[0] for link in links if link]
+
+    def doubleClicked(self, view_object):
+        return FreeCADGui.getDocument(self.object.Document.Name).setEdit(self.object.Name)
+
+    def setEdit(self, view_object, mode):
+        if mode != _DEFAULT_MODE:
+            return None
+        self.panel = PANELS[type(self.object.Proxy)](self.object)
+        FreeCADGui.Control.showDialog(self.panel)
+        return True
+
+    def unsetEdit(self, view_object, mode):
+        if mode != _DEFAULT_MODE:
+            return None
+        self.panel.close()
+        self.panel = None
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    # FreeCAD calls the first pair up to version 0.21, the second one later. Nothing is stored.
+
+    def __getstate__(self):
+        return None
+
+    def __setstate__(self, state):
+        return None
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
