@@ -6,18 +6,16 @@ python=/usr/bin/python3
 export PYTHONPATH="$build/python:$root/workbench${PYTHONPATH:+:$PYTHONPATH}"
 export PYTHONDONTWRITEBYTECODE=1
 
-# Configures build folder $1 with the CMake arguments that follow, once, and builds it.
-build_in() {
-  local folder="$1"
-  shift
-  if [ ! -f "$folder/build.ninja" ]; then
-    cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
-      -DPython3_EXECUTABLE="$python" "$@"
-  fi
-  cmake --build "$folder"
+# Configures a preset of CMakePresets.json in folder $2, once, and builds it.
+build_preset() {
+  (
+    cd "$root"
+    [ -f "$2/build.ninja" ] || cmake --preset "$1"
+    cmake --build "$2"
+  )
 }
 
 build_all() {
   "$root/scripts/setup"
-  build_in "$build" -DCMAKE_BUILD_TYPE=Release
+  build_preset release "$build"
 }

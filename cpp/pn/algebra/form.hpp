@@ -127,6 +127,15 @@ Form<T> conj(const Form<T>& form) {
   return Form<T>(std::move(result));
 }
 
+/// The midpoints of the coefficients, in doubles.
+template <class Ball>
+auto midpoint(const Form<Ball>& form) {
+  std::vector<decltype(std::declval<Ball>().midpoint())> result;
+  result.reserve(form.coefficients().size());
+  for (const Ball& coefficient : form.coefficients()) result.push_back(coefficient.midpoint());
+  return Form(std::move(result));
+}
+
 /// form / (t - root), for a root of the form. Synthetic division runs from the end at which it does
 /// not amplify errors: from the top for |root| <= 1, from the bottom beyond.
 template <class T>

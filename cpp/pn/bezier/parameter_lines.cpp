@@ -7,158 +7,21 @@
 
 #include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/parallel.hpp"
+#include "pn/bezier/chain_seam.hpp"
+#include "pn/bezier/line_factor.hpp"
 #include "pn/geometry_error.hpp"
-#include "pn/isotropic/seam.hpp"
 
 namespace pn {
 namespace {
 
+using namespace lines;
 using Eigen::Matrix2d;
-using Eigen::Vector3d;
 
 /// Weights that vary by more than this within the chain are evened out by halving segments: twice
 /// the ratio 0.01 that the exported faces keep.
 constexpr double kLeastWeightRatio = 0.02;
 /// A segment is halved at most so often; then positive weights are taken as they are.
 constexpr int kMostHalvings = 6;
-
-template <class T>
-using Matrix = std::array<std::array<T, 2>, 2>;
-
-template <class T>
-Matrix<T> operator*(const Matrix<T>& a, const Matrix<T>& b) {
-  Matrix<T> c;
-  for (int i = 0; i < 2; ++i) {
-    for (int j = 0; j < 2; ++j) c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j];
-  }
-  return c;
-}
-
-template <class T>
-Matrix<T> operator+(const Matrix<T>& a, const Matrix<T>& b) {
-  Matrix<T> c;
-  for (int i = 0; i < 2; ++i) {
-    for (int j = 0; j < 2; ++j) c[i][j] = a[i][j] + b[i][j];
-  }
-  return c;
-}
-
-template <class T>
-Matrix<T> scaled(const Matrix<T>& a, const T& factor) {
-  Matrix<T> c;
-  for (int i = 0; i < 2; ++i) {
-    for (int j = 0; j < 2; ++j) c[i][j] = a[i][j] * factor;
-  }
-  return c;
-}
-
-template <class T>
-Matrix<T> inverse(const Matrix<T>& a) {
-  const T inverse_determinant = T(1.0) / (a[0][0] * a[1][1] - a[0][1] * a[1][0]);
-  return scaled(Matrix<T>{{{a[1][1], -a[0][1]}, {-a[1][0], a[0][0]}}}, inverse_determinant);
-}
-
-// The real type of a segment's numbers and its complex companion.
-template <class T>
-Matrix<ComplexOf<T>> complexified(const Matrix<T>& a) {
-  return {{{ComplexOf<T>(a[0][0]), ComplexOf<T>(a[0][1])},
-           {ComplexOf<T>(a[1][0]), ComplexOf<T>(a[1][1])}}};
-}
-
-template <class T>
-Matrix<T> real_part(const Matrix<ComplexOf<T>>& a) {
-  using spinor::re;
-  return {{{re(a[0][0]), re(a[0][1])}, {re(a[1][0]), re(a[1][1])}}};
-}
-
-bool is_zero(double x) { return x == 0; }
-bool is_zero(const RealBall& x) { return x.is_zero(); }
-
-double midpoint(double x) { return x; }
-double midpoint(const RealBall& x) { return x.midpoint(); }
-
-template <class T>
-Matrix2d midpoint(const Matrix<T>& a) {
-  Matrix2d result;
-  result << midpoint(a[0][0]), midpoint(a[0][1]), midpoint(a[1][0]), midpoint(a[1][1]);
-  return result;
-}
-
-/// A free choice: entries of 24 bits, exact in every number type.
-template <class T>
-Matrix<T> short_doubles(const Matrix2d& a) {
-  const auto entry = [&](int i, int j) {
-    return T(static_cast<double>(static_cast<float>(a(i, j))));
-  };
-  return {{{entry(0, 0), entry(0, 1)}, {entry(1, 0), entry(1, 1)}}};
-}
-
-/// The even factor along the chain, following the rotation-minimizing frame. Around a closed chain
-/// the frame comes back turned by its holonomy, which is given back link by link.
-class Seam {
- public:
-  explicit Seam(const EnvelopeChain& chain, const std::vector<IsotropicHypersurface<double>>& links)
-      : links_(links), directions_(links.size()), factors_(links.size()) {
-    Vector3d axis = axis_at(links.front().curve, 0), e = any_perpendicular(axis);
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      for (int g = 0; g <= kGrid; ++g) {
-        const Vector3d next = axis_at(links[i].curve, at(g));
-        e = transported(e, axis, next);
-        axis = next;
-        directions_[i].push_back(e);
-      }
-    }
-    if (chain.closed) {
-      turn_per_link_ =
-          angle_about(axis, e, transported(directions_[0][0], axis_at(links[0].curve, 0), axis)) /
-          static_cast<double>(links.size());
-    }
-    for_each_index(links.size(), [&](std::size_t i) {
-      factors_[i].push_back(factor(i, 0));
-      for (int g = 1; g <= kGrid; ++g) {
-        factors_[i].push_back(continued(factors_[i].back(), factor(i, at(g))));
-      }
-    });
-  }
-
-  /// The even factor of a link at t in [0, 1].
-  Matrix2d even(std::size_t link, double t) const {
-    return continued(factors_[link][nearest(t)], factor(link, t));
-  }
-
-  /// Its derivative by t.
-  Matrix2d even_derivative(std::size_t link, double t) const {
-    // A central difference: the factor only has to be near the even one.
-    constexpr double kStep = 1.0 / 1024;
-    const Matrix2d here = even(link, t);
-    const Matrix2d ahead = continued(here, factor(link, t + kStep));
-    const Matrix2d behind = continued(here, factor(link, t - kStep));
-    return (ahead - behind) / (2 * kStep);
-  }
-
- private:
-  static constexpr int kGrid = 16;
-  static double at(int g) { return static_cast<double>(g) / kGrid; }
-  static std::size_t nearest(double t) {
-    return static_cast<std::size_t>(std::clamp(std::lround(t * kGrid), 0L, long{kGrid}));
-  }
-
-  Matrix2d factor(std::size_t link, double t) const {
-    const SphereCurveForms<double>& curve = links_[link].curve;
-    const std::size_t g = nearest(t);
-    const Vector3d axis = axis_at(curve, t);
-    const Vector3d e =
-        transported(directions_[link][g], axis_at(curve, at(static_cast<int>(g))), axis);
-    const double turn = turn_per_link_ * (static_cast<double>(link) + t);
-    const Vector3d turned = Eigen::AngleAxisd(turn, axis.normalized()) * e;
-    return even_factor(value_at(links_[link].spinor, t), circle_normal(curve, t, turned));
-  }
-
-  const std::vector<IsotropicHypersurface<double>>& links_;
-  std::vector<std::vector<Vector3d>> directions_;
-  std::vector<std::vector<Matrix2d>> factors_;
-  double turn_per_link_ = 0;
-};
 
 /// A part of a link whose lines are one polynomial F, over [begin, end] of the spine's parameter.
 struct Segment {
@@ -235,111 +98,13 @@ SphereCurveForms<RealBall> restricted_curve(const SphereCurveForms<RealBall>& cu
   return result;
 }
 
-/// Value and derivative of a matrix of forms at an end of a segment.
-template <class C>
-struct EndValue {
-  Matrix<C> value, derivative;
-};
-
-template <class C>
-EndValue<C> end_value(const SpinorMatrix<C>& a, int end) {
-  EndValue<C> result;
-  for (int i = 0; i < 2; ++i) {
-    for (int j = 0; j < 2; ++j) {
-      result.value[i][j] = a.entry[i][j](C(static_cast<double>(end)));
-      result.derivative[i][j] = a.entry[i][j].derivative()(C(static_cast<double>(end)));
-    }
-  }
-  return result;
-}
-
-/// Value and derivative of F at an end of a segment.
-template <class T>
-struct LineEnd {
-  Matrix<T> value, slope;
-};
-
-/// F on a segment. The ends are kept beside the coefficients: as sums of coefficients they would
-/// carry the errors of one end of a segment to the other, and so along the whole chain.
-template <class T>
-struct LineFactor {
-  std::vector<Matrix<T>> coefficients;  ///< ascending powers
-  std::array<LineEnd<T>, 2> ends;
-};
-
-template <class T>
-Matrix<T> combination(std::initializer_list<std::pair<double, const Matrix<T>*>> terms) {
-  Matrix<T> sum = scaled(*terms.begin()->second, T(terms.begin()->first));
-  for (auto term = terms.begin() + 1; term != terms.end(); ++term) {
-    sum = sum + scaled(*term->second, T(term->first));
-  }
-  return sum;
-}
-
-template <class T>
-LineFactor<T> constant_line(const Matrix<T>& value) {
-  const LineEnd<T> end{value, scaled(value, T(0.0))};
-  return {{value}, {end, end}};
-}
-
-template <class T>
-LineFactor<T> line_through(const Matrix<T>& left, const Matrix<T>& right) {
-  const Matrix<T> slope = combination<T>({{1, &right}, {-1, &left}});
-  return {{left, slope}, {LineEnd<T>{left, slope}, LineEnd<T>{right, slope}}};
-}
-
-template <class T>
-LineFactor<T> parabola_through(const Matrix<T>& left, const Matrix<T>& middle,
-                               const Matrix<T>& right) {
-  const Matrix<T> left_slope = combination<T>({{-3, &left}, {4, &middle}, {-1, &right}});
-  const Matrix<T> right_slope = combination<T>({{1, &left}, {-4, &middle}, {3, &right}});
-  return {{left, left_slope, combination<T>({{2, &left}, {-4, &middle}, {2, &right}})},
-          {LineEnd<T>{left, left_slope}, LineEnd<T>{right, right_slope}}};
-}
-
-template <class T>
-LineFactor<T> hermite_cubic(const LineEnd<T>& left, const LineEnd<T>& right) {
-  return {
-      {left.value, left.slope,
-       combination<T>(
-           {{-3, &left.value}, {-2, &left.slope}, {3, &right.value}, {-1, &right.slope}}),
-       combination<T>({{2, &left.value}, {1, &left.slope}, {-2, &right.value}, {1, &right.slope}})},
-      {left, right}};
-}
-
-/// Lemma 1: the real factor at an end of a segment with which its lines meet those of a neighbour.
-/// `own` is A at the joint, `neighbour` the finished A F of the other side there, `stretch` the
-/// length of the own segment over the neighbour's; `near` picks one of the two signs.
-template <class T>
-LineEnd<T> matched(const EndValue<ComplexOf<T>>& own, const EndValue<ComplexOf<T>>& neighbour,
-                   const T& stretch, const Matrix2d& near) {
-  using C = ComplexOf<T>;
-  using spinor::size;
-  const Matrix<C> own_inverse = inverse(own.value);
-  const Matrix<C> ratio = own_inverse * neighbour.value;
-  C largest = ratio[0][0];
-  for (const auto& row : ratio) {
-    for (const C& entry : row) {
-      if (size(entry) > size(largest)) largest = entry;
-    }
-  }
-  C phase = conj(largest) / spinor::root(largest * conj(largest));
-  if ((near.inverse() * midpoint(real_part<T>(scaled(ratio, phase)))).trace() < 0) phase = -phase;
-  LineEnd<T> result;
-  result.value = real_part<T>(scaled(ratio, phase));
-  const Matrix<C> wanted = scaled(neighbour.derivative, phase * C(stretch));
-  const Matrix<C> drift = own.derivative * complexified<T>(result.value);
-  result.slope = real_part<T>(own_inverse * (wanted + scaled(drift, C(-1.0))));
-  return result;
-}
-
 /// What F must satisfy on each segment and how F is found, in doubles or in balls.
 template <class T>
 class FactorSequence {
  public:
   using C = ComplexOf<T>;
 
-  FactorSequence(const std::vector<Segment>& segments, bool closed, const Seam& seam,
+  FactorSequence(const std::vector<Segment>& segments, bool closed, const ChainSeam& seam,
                  const std::vector<SpinorMatrix<C>>& spinors, long precision)
       : segments_(segments), closed_(closed), seam_(seam), precision_(precision) {
     left_.resize(segments.size());
@@ -427,32 +192,11 @@ class FactorSequence {
 
   const std::vector<Segment>& segments_;
   bool closed_;
-  const Seam& seam_;
+  const ChainSeam& seam_;
   long precision_;
   std::vector<EndValue<C>> left_, right_;
   std::vector<LineFactor<T>> factors_;
 };
-
-/// A F with both columns at the same formal degree.
-template <class T>
-SpinorMatrix<ComplexOf<T>> lined(const SpinorMatrix<ComplexOf<T>>& a, const LineFactor<T>& factor) {
-  using C = ComplexOf<T>;
-  const int lines_degree = static_cast<int>(factor.coefficients.size()) - 1;
-  SpinorMatrix<C> b;
-  b.degree = {a.degree[0] + lines_degree, a.degree[0] + lines_degree};
-  for (int j = 0; j < 2; ++j) {
-    std::array<Form<C>, 2> column;
-    for (int k = 0; k < 2; ++k) {
-      column[k] = Form<C>::zero(lines_degree);
-      for (int i = 0; i <= lines_degree; ++i) column[k][i] = C(factor.coefficients[i][k][j]);
-    }
-    for (int i = 0; i < 2; ++i) {
-      b.entry[i][j] = a.entry[i][0] * column[0] +
-                      (a.entry[i][1] * column[1]).elevated(a.entry[i][0].degree() + lines_degree);
-    }
-  }
-  return b;
-}
 
 struct WeightRange {
   double least, largest;
@@ -609,7 +353,7 @@ class Planner {
   long precision_;
   std::vector<IsotropicHypersurface<RealBall>> gammas_;
   std::vector<IsotropicHypersurface<double>> estimates_;
-  std::optional<Seam> seam_;
+  std::optional<ChainSeam> seam_;
   std::vector<Segment> segments_;
 };
 

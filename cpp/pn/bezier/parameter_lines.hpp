@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Parameter lines: the real factor F(t) that makes A F even, continuous and, where possible, C1.
 //
-// LEMMA 1 (joints). Where two links share their circle, the spinors B- of the left link and A+ of
-// the right one satisfy A+ F = e^{i phi} B- for a real matrix F, so the lines u = const run on.
-// Where both links continue each other up to the second derivative, there are moreover a real F'
-// and a real psi with A+ F' = e^{i phi} (B-' + i psi B-) - A+' F; then w, and with it every section
-// as a homogeneous function, is C1 across the joint. (n_t differs by a projective vector field on
-// the circle, three numbers, and w_t by one: four unknowns in F' and psi decide the phase.)
-//
-// LEMMA 2 (weights). With F near G^{-1/2} Rot(theta), G = Re(A* A), the weight w4 is nearly
-// constant; on short segments its Bernstein coefficients are positive.
+// The joints are LEMMA 1 of line_factor.hpp. LEMMA 2 (weights): with F near G^{-1/2} Rot(theta), G
+// = Re(A* A), the weight w4 is nearly constant, so on short segments its Bernstein coefficients are
+// positive.
 //
 // F is a free choice at the right end of every segment, taken in short doubles from the even factor
-// of seam.hpp, and determined at the left end by Lemma 1. It is a cubic (value and derivative at
-// both ends) where a derivative is determined, otherwise a quadratic through its values at 0, 1/2
-// and 1; the degree of every section grows by twice the degree of F. A segment whose weights are
-// too uneven is halved.
+// of the chain's seam, and determined at the left end by Lemma 1. It is a cubic (value and slope at
+// both ends) where a slope is determined, otherwise a quadratic through its values at 0, 1/2 and 1;
+// the degree of every section grows by twice the degree of F. A segment whose weights are too
+// uneven is halved.
 #pragma once
 
 #include <vector>

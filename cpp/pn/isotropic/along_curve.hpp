@@ -7,17 +7,10 @@
 // ceil(h/2) when D has no real root at all: for polynomial f, h = k - 1, the degrees in t are 4, 5,
 // 8, 9, 12, 13 for k = 2..7, and no parametrization that is quadratic in u has less.
 //
-// If D has real roots of odd multiplicity (outside [0, 1]), none is rational in t. With r1 < 0 < 1
-// < r2 the adjacent ones on the projective line, a missing one replaced by infinity,
-//
-//     t = (r1 + r2 s^2) / (1 + s^2)        (t = r1 + s^2 without r2, t = r2 - s^2 without r1)
-//
-// doubles all degrees and turns D into a form without odd real roots: r1 and r2 become double roots
-// at s = 0 and infinity, any other root c becomes the two roots s = +-sqrt((c - r1) / (r2 - c)).
-// (M. Peternell, dissertation TU Wien 1997, (1.27), section 2.5 and Proposition 4.1.)
-//
-// Of each pair of roots of D one is free to choose. The choice is searched for the lowest degree
-// and, among those, for the least twist of the lines u = const.
+// If D has real roots of odd multiplicity (outside [0, 1]), none is rational in t; the substitution
+// of odd_root_substitution.hpp doubles all degrees. Of each pair of roots of D one is free to
+// choose (root_choice.hpp). (M. Peternell, dissertation TU Wien 1997, section 2.5 and
+// Proposition 4.1.)
 #pragma once
 
 #include <complex>
@@ -61,8 +54,5 @@ class AlongCurve {
   IsotropicHypersurface<RealBall> first_enclosure_;
   std::vector<std::complex<double>> chosen_roots_;  ///< one for every conjugate pair and copy
 };
-
-/// The midpoints of an enclosure.
-IsotropicHypersurface<double> midpoint(const IsotropicHypersurface<RealBall>& gamma);
 
 }  // namespace pn

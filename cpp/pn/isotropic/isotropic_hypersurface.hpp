@@ -116,6 +116,10 @@ struct IsotropicHypersurface {
   SpinorMatrix<ComplexOf<T>> spinor;
 };
 
+/// The midpoints of an enclosure.
+SphereCurveForms<double> midpoint(const SphereCurveForms<RealBall>& curve);
+IsotropicHypersurface<double> midpoint(const IsotropicHypersurface<RealBall>& gamma);
+
 /// The sections of Gamma as homogeneous forms, quadratic in u: x_d = (point + d direction) /
 /// weight.
 template <class T>
