@@ -12,9 +12,6 @@ namespace {
 void numbers_to_poles(benchmark::State& state) {
   const BezierCanal canal = helical_horn(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(surface_of(canal).faces(Lines::kEven));
-  const Certificate certificate = surface_of(canal).certificate(Lines::kEven);
-  state.counters["poles"] = static_cast<double>(certificate.poles);
-  state.counters["deviation"] = certificate.deviation;
 }
 BENCHMARK(numbers_to_poles)->ArgName("degree")->Arg(3)->Arg(6)->Unit(benchmark::kMicrosecond);
 

@@ -38,17 +38,18 @@ def print_table(title, header, rows):
 
 
 def one_span(entries):
-    """Times of a single span: degree 3 and degree 6 side by side."""
+    """Times of a single span, the degrees side by side."""
     by_step = {}
     for name, entry in entries.items():
         degree = arguments(name).get("degree")
         if degree is not None:
-            by_step.setdefault(name.split("/")[0], {})[degree] = entry
+            by_step.setdefault(name.split("/")[0], {})[degree] = f"{milliseconds(entry):.3f}"
+    degrees = sorted({degree for at in by_step.values() for degree in at})
     rows = [
-        [step.replace("_", " "), *(f"{milliseconds(at[degree]):.3f}" for degree in (3, 6))]
+        [step.replace("_", " "), *(at.get(degree, "-") for degree in degrees)]
         for step, at in by_step.items()
     ]
-    print_table("One span, ms", ["", "cubic", "degree 6"], rows)
+    print_table("One span, ms", ["", *(f"degree {degree}" for degree in degrees)], rows)
 
 
 def many_spans(entries):
@@ -80,7 +81,7 @@ def many_spans(entries):
 def side_by_side(entries, case, title):
     """One case, ours and OpenCASCADE's; ratios are theirs over ours."""
     runs = {name: entry for name, entry in entries.items() if name.startswith(f"{case}/")}
-    if not runs:
+    if f"{case}/exact" not in runs:
         return
     exact = runs[f"{case}/exact"]
     rows = []

@@ -17,14 +17,14 @@ translate = FreeCAD.Qt.translate
 def selected_spine(selection):
     """The value of the property Spine for a selection (Gui.Selection.getSelectionEx()), or None.
 
-    The edges of one object, or the whole of one object without selected edges.
+    The selected edges of one object, or all of an object that is selected as a whole.
     """
     if len(selection) != 1:
         return None
-    source = selection[0].Object
-    names = [name for name in selection[0].SubElementNames if name.startswith("Edge")]
+    source, chosen = selection[0].Object, selection[0].SubElementNames
+    names = [name for name in chosen if name.startswith("Edge")]
     has_edges = hasattr(source, "Shape") and bool(source.Shape.Edges)
-    return (source, names) if has_edges else None
+    return (source, names) if has_edges and (names or not chosen) else None
 
 
 class RadiiModel(QtCore.QAbstractTableModel):
@@ -142,12 +142,12 @@ class CanalSurfacePanel(TaskPanel):
     def _fit_radii(self):
         """Keeps the shape of the law when it needs another number of radii."""
         radii = self.feature.Radii or [self.feature.Radius.Value] * 2
-        count = len(radii)
         if self.feature.RadiusLaw == VALUES_AT_VERTICES and self._spine:
-            count = len(self._spine.curve.breaks)
-        if count != len(self.feature.Radii):
-            fractions = np.linspace(0, 1, len(radii))
-            self.assign("Radii", list(np.interp(np.linspace(0, 1, count), fractions, radii)))
+            radii = _resampled(radii, len(self._spine.curve.breaks))
+        if self._joins_first_vertex():
+            radii = radii[:-1] + radii[:1]
+        if radii != self.feature.Radii:
+            self.assign("Radii", radii)
 
     def _show_radii(self):
         if self.feature.RadiusLaw == BEZIER_COEFFICIENTS:
@@ -177,6 +177,13 @@ class CanalSurfacePanel(TaskPanel):
         self._show_radii()
 
 
+def _resampled(radii, count):
+    """As many radii along the polygon through the given ones."""
+    if count == len(radii):
+        return radii
+    return list(np.interp(np.linspace(0, 1, count), np.linspace(0, 1, len(radii)), radii))
+
+
 def _length(text):
     """The millimetres of a typed length. A bare number is one in the unit that is shown.
 
@@ -192,8 +199,8 @@ def _length(text):
 def _description(spine):
     spans = len(spine.curve.breaks) - 1
     text = (
-        translate("PNSurfaces", "Degree {}, {} spans, {} vertices, closed")
+        translate("PNSurfaces", "Degree {}, spans {}, vertices {}, closed")
         if spine.closed
-        else translate("PNSurfaces", "Degree {}, {} spans, {} vertices")
+        else translate("PNSurfaces", "Degree {}, spans {}, vertices {}")
     )
     return text.format(spine.curve.degree, spans, spans if spine.closed else spans + 1)

@@ -91,16 +91,19 @@ class TaskPanel:
         self._result.status.setText(status)
         self._result.status.setStyleSheet(_STYLES.get(kind, ""))
         self._result.values.setEnabled(valid)
-        for label in self._result.values.findChildren(QtWidgets.QLabel):
+        for label in self._result.findChildren(QtWidgets.QLabel):
             if label.objectName() in self.feature.PropertiesList:
-                label.setText(_display(getattr(self.feature, label.objectName())))
+                text = _display(getattr(self.feature, label.objectName()))
+                label.setText(text)
+                label.setVisible(bool(text))
         self._result.regular_range.setText(
             _range(self.feature.MinOffset.Value, self.feature.MaxOffset.Value)
         )
 
     def accept(self):
         """OK: keeps the surface. Without a surface the panel stays and says why."""
-        self.preview()
+        if self._timer.isActive():
+            self.preview()
         if not self.feature.isValid():
             return False
         self._record_macro()
@@ -192,7 +195,7 @@ def literal(value):
 def _display(value):
     if isinstance(value, bool):
         return translate("PNSurfaces", "Yes") if value else translate("PNSurfaces", "No")
-    return str(value)
+    return "\n".join(value) if isinstance(value, list) else str(value)
 
 
 def _range(low, high):

@@ -265,8 +265,10 @@ bool has_equal_end(const RationalPolynomial& left, const RationalPolynomial& rig
   return true;
 }
 
-/// Centre, radius and denominator agree up to the second derivative in the spine's parameter.
+/// Centre, radius and denominator agree up to the second derivative in the spine's parameter, and
+/// the first one, of which the circles are made, does not vanish.
 bool is_smooth(const Span& left, const Span& right) {
+  if (left.direction.content(Rational(1)).is_zero()) return false;
   const Rational a = left.end - left.begin, b = right.end - right.begin;
   const auto equal = [&](const RationalPolynomial& p, const RationalPolynomial& q) {
     return has_equal_end(p, q, a, b);
