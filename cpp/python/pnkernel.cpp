@@ -62,6 +62,8 @@ Array array_of(const std::vector<double>& values) {
   return array_of(values, {static_cast<py::ssize_t>(values.size())});
 }
 
+py::tuple tuple_of(const std::array<int, 2>& pair) { return py::make_tuple(pair[0], pair[1]); }
+
 pn::Lines lines_of(const std::string& name) {
   if (name == "even") return pn::Lines::kEven;
   if (name == "lowest_degree") return pn::Lines::kLowestDegree;
@@ -71,7 +73,8 @@ pn::Lines lines_of(const std::string& name) {
 py::tuple evaluate(const pn::PNSurface& surface, const Array& t, const Array& u) {
   const std::vector<double> along = vector_of(t, "parameters t"),
                             around = vector_of(u, "parameters u");
-  if (along.size() != around.size()) throw wrong_shape("t and u must have the same length.");
+  if (along.size() != around.size())
+    throw wrong_shape("The arrays t and u must have the same length.");
   std::vector<std::array<double, 3>> points, normals;
   for (const pn::SurfacePoint& sample : surface.evaluate(along, around)) {
     points.push_back(sample.point);
@@ -197,7 +200,8 @@ void define_outputs(py::module_& module) {
       .def_readonly("precision_bits", &pn::Certificate::precision_bits)
       .def_readonly("exact", &pn::Certificate::exact,
                     "Nothing of the input was fitted or closed up.")
-      .def_readonly("bidegree", &pn::Certificate::bidegree)
+      .def_property_readonly("bidegree",
+                             [](const pn::Certificate& c) { return tuple_of(c.bidegree); })
       .def_readonly("poles", &pn::Certificate::poles)
       .def_readonly("notes", &pn::Certificate::notes);
 }
@@ -208,8 +212,9 @@ void define_surface(py::module_& module) {
       .def("offset", &pn::PNSurface::offset, py::arg("distance"),
            "The surface at distance + d, in mm, on the side of the normal for d > 0. Cheap.")
       .def_property_readonly("distance", &pn::PNSurface::distance)
-      .def_property_readonly("degree", &pn::PNSurface::degree,
-                             "(degree along, degree around) of what the algebra delivers.")
+      .def_property_readonly(
+          "degree", [](const pn::PNSurface& s) { return tuple_of(s.degree()); },
+          "(degree along, degree around) of what the algebra delivers.")
       .def("evaluate", &evaluate, py::arg("t"), py::arg("u"),
            "Points and unit normals, each (n, 3), at parameters t (n,) of the spine and u (n,) in "
            "[0, 4] around it.")

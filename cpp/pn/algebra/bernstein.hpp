@@ -8,21 +8,43 @@
 // over balls. (G. Farin, Curves and Surfaces for CAGD, 5th ed. 2002, section 6.6.)
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 namespace pn {
 
+/// The largest degree whose binomials, and the products on the way to them, fit a 64-bit word.
+inline constexpr long kWordDegree = 61;
+
+/// Calls apply(i, numerator, denominator) with factors that multiply up to C(degree, i) for every
+/// i.
+template <class Apply>
+void for_each_binomial_factor(long degree, Apply&& apply) {
+  if (degree <= kWordDegree) {
+    long binomial = 1;
+    for (long i = 0; i <= degree; ++i) {
+      apply(static_cast<std::size_t>(i), binomial, 1L);
+      binomial = binomial * (degree - i) / (i + 1);
+    }
+    return;
+  }
+  for (long i = 0; i <= degree; ++i) {
+    for (long j = 0; j < std::min(i, degree - i); ++j) {
+      apply(static_cast<std::size_t>(i), degree - j, j + 1);
+    }
+  }
+}
+
 /// Bernstein coefficients of the polynomial with these power coefficients (ascending; the size
 /// fixes the degree of the basis).
 template <class T>
 std::vector<T> to_bernstein(std::vector<T> power) {
-  const long degree = static_cast<long>(power.size()) - 1;
-  long binomial = 1;
-  for (long i = 0; i <= degree; ++i) {
-    power[static_cast<std::size_t>(i)] /= T(binomial);
-    binomial = binomial * (degree - i) / (i + 1);
-  }
+  for_each_binomial_factor(static_cast<long>(power.size()) - 1,
+                           [&](std::size_t i, long numerator, long denominator) {
+                             if (denominator != 1) power[i] *= T(denominator);
+                             power[i] /= T(numerator);
+                           });
   for (std::size_t round = 1; round < power.size(); ++round) {
     for (std::size_t j = power.size() - 1; j >= round; --j) power[j] += power[j - 1];
   }
@@ -32,15 +54,14 @@ std::vector<T> to_bernstein(std::vector<T> power) {
 /// Power coefficients of the polynomial with these Bernstein coefficients.
 template <class T>
 std::vector<T> from_bernstein(std::vector<T> bernstein) {
-  const long degree = static_cast<long>(bernstein.size()) - 1;
   for (std::size_t round = bernstein.size(); round-- > 1;) {
     for (std::size_t j = round; j < bernstein.size(); ++j) bernstein[j] -= bernstein[j - 1];
   }
-  long binomial = 1;
-  for (long i = 0; i <= degree; ++i) {
-    bernstein[static_cast<std::size_t>(i)] *= T(binomial);
-    binomial = binomial * (degree - i) / (i + 1);
-  }
+  for_each_binomial_factor(static_cast<long>(bernstein.size()) - 1,
+                           [&](std::size_t i, long numerator, long denominator) {
+                             bernstein[i] *= T(numerator);
+                             if (denominator != 1) bernstein[i] /= T(denominator);
+                           });
   return bernstein;
 }
 

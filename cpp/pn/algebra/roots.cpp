@@ -4,6 +4,7 @@
 #include <acb_poly.h>
 #include <arb_fmpz_poly.h>
 #include <flint/fmpz_poly.h>
+#include <flint/fmpz_poly_factor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -116,15 +117,18 @@ std::optional<RootSet> isolated_from_approximations(const RationalPolynomial& p,
   return sorted_out(roots, n, 1, precision);
 }
 
-RootSet isolated_squarefree(const SquarefreeFactor& factor, long precision) {
-  const slong n = factor.factor.degree();
-  fmpz_poly_t integral;
-  fmpz_poly_init(integral);
-  fmpq_poly_get_numerator(integral, factor.factor.flint());
+RootSet isolated_squarefree(const fmpz_poly_struct* p, int multiplicity, long precision) {
+  const slong n = fmpz_poly_degree(p);
   AcbVector roots(n);
-  arb_fmpz_poly_complex_roots(roots.data(), integral, 0, precision);
-  fmpz_poly_clear(integral);
-  return sorted_out(roots, n, factor.multiplicity, precision);
+  arb_fmpz_poly_complex_roots(roots.data(), p, 0, precision);
+  return sorted_out(roots, n, multiplicity, precision);
+}
+
+/// The root of a linear polynomial, exact where it is a short dyadic number.
+RootSet root_of_linear(const fmpz_poly_struct* p, int multiplicity, long precision) {
+  Rational root;
+  fmpq_set_fmpz_frac(root.flint(), fmpz_poly_get_coeff_ptr(p, 0), fmpz_poly_get_coeff_ptr(p, 1));
+  return {{{RealBall(-root, precision), multiplicity}}, {}};
 }
 
 RootSet united(const std::vector<RootSet>& sets) {
@@ -136,10 +140,29 @@ RootSet united(const std::vector<RootSet>& sets) {
   return all;
 }
 
+/// Multiple roots are rare and mostly rational, so their factors are split into irreducible ones:
+/// the exact place of a root decides what no ball can.
 RootSet isolated_by_factors(const RationalPolynomial& p, long precision) {
   std::vector<RootSet> sets;
-  for (const SquarefreeFactor& factor : squarefree_factorization(p)) {
-    sets.push_back(isolated_squarefree(factor, precision));
+  for (const SquarefreeFactor& squarefree : squarefree_factorization(p)) {
+    fmpz_poly_t integral;
+    fmpz_poly_init(integral);
+    fmpq_poly_get_numerator(integral, squarefree.factor.flint());
+    fmpz_poly_factor_t factors;
+    fmpz_poly_factor_init(factors);
+    if (squarefree.multiplicity > 1) {
+      fmpz_poly_factor(factors, integral);
+    } else {
+      fmpz_poly_factor_insert(factors, integral, 1);
+    }
+    for (slong i = 0; i < factors->num; ++i) {
+      const fmpz_poly_struct* factor = factors->p + i;
+      const bool linear = fmpz_poly_degree(factor) == 1 && !fmpz_is_zero(factor->coeffs);
+      sets.push_back(linear ? root_of_linear(factor, squarefree.multiplicity, precision)
+                            : isolated_squarefree(factor, squarefree.multiplicity, precision));
+    }
+    fmpz_poly_factor_clear(factors);
+    fmpz_poly_clear(integral);
   }
   return united(sets);
 }

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 namespace {
 
 /// Steps of the grid on a link: fine enough that the frame turns little from one to the next.
-constexpr int kGrid = 16;
+constexpr int kGrid = 32;
 
 double at(int g) { return static_cast<double>(g) / kGrid; }
 

@@ -8,16 +8,21 @@
 
 #include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/parallel.hpp"
+#include "pn/algebra/precision.hpp"
 #include "pn/algebra/roots.hpp"
 
 namespace pn {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Differences of 1e-9 of large coefficients of degree 40 are still certain with so many bits.
-constexpr long kBits = 192;
+/// Differences of 1e-9 of large coefficients of degree 40 are mostly certain with so many bits.
+constexpr long kFirstBits = 192;
+/// With each precision the distance may back off from the least sample by so many tolerances.
+constexpr double kMostTolerances = 1024;
 /// Intervals are halved this often before a distance counts as not provable.
 constexpr int kMostHalvings = 40;
+/// And a proof that takes more intervals than this lacks precision.
+constexpr int kMostIntervals = 4096;
 /// Samples that look for the critical place of a link; the proof does not rest on them.
 constexpr int kSamples = 33;
 
@@ -27,9 +32,9 @@ constexpr double kFarthest = 1e18;
 
 using Polynomial = std::vector<RealBall>;  // Bernstein coefficients
 
-Form<RealBall> in_balls(const RationalPolynomial& p) {
+Form<RealBall> in_balls(const RationalPolynomial& p, long bits) {
   std::vector<RealBall> result;
-  for (const Rational& c : coefficients(p, std::max(p.degree(), 0))) result.emplace_back(c, kBits);
+  for (const Rational& c : coefficients(p, std::max(p.degree(), 0))) result.emplace_back(c, bits);
   return Form<RealBall>(std::move(result));
 }
 
@@ -74,9 +79,9 @@ class Limit {
 /// -d < r: the limit r of the distance inwards.
 class RadiusLimit : public Limit {
  public:
-  explicit RadiusLimit(const SphereCurve& curve)
-      : radius_(in_balls(curve.radius)),
-        denominator_(in_balls(curve.denominator)),
+  RadiusLimit(const SphereCurve& curve, long bits)
+      : radius_(in_balls(curve.radius, bits)),
+        denominator_(in_balls(curve.denominator, bits)),
         radius_estimate_(in_doubles(curve.radius)),
         denominator_estimate_(in_doubles(curve.denominator)) {}
 
@@ -93,8 +98,8 @@ class RadiusLimit : public Limit {
 /// d < lambda D / K - r where K > 0: the limit outwards.
 class FocalLimit : public Limit {
  public:
-  explicit FocalLimit(const ChainLink& link)
-      : FocalLimit(link.envelope.curve(), link.envelope.circles(), link.content) {}
+  FocalLimit(const ChainLink& link, long bits)
+      : FocalLimit(link.envelope.curve(), link.envelope.circles(), link.content, bits) {}
 
   /// K <= 0 on the whole link, proved: no distance outwards is too large.
   bool is_unlimited() const { return unlimited_; }
@@ -113,9 +118,10 @@ class FocalLimit : public Limit {
   }
 
  private:
-  FocalLimit(const SphereCurve& curve, const CircleFamily& circles, RationalPolynomial content)
-      : radius_(in_balls(curve.radius)),
-        denominator_(in_balls(curve.denominator)),
+  FocalLimit(const SphereCurve& curve, const CircleFamily& circles, RationalPolynomial content,
+             long bits)
+      : radius_(in_balls(curve.radius, bits)),
+        denominator_(in_balls(curve.denominator, bits)),
         radius_estimate_(in_doubles(curve.radius)),
         denominator_estimate_(in_doubles(curve.denominator)) {
     const CircleFamily slope = derivative(circles);
@@ -131,9 +137,9 @@ class FocalLimit : public Limit {
     const RationalPolynomial advance = content * discriminant * square;
     const RationalPolynomial spread = discriminant * (square * dot(slope, slope) - mixed * mixed);
     unlimited_ = is_non_positive(turn) && is_non_negative(turn * turn - spread);
-    advance_ = in_balls(advance);
-    turn_ = in_balls(turn);
-    spread_ = in_balls(spread);
+    advance_ = in_balls(advance, bits);
+    turn_ = in_balls(turn, bits);
+    spread_ = in_balls(spread, bits);
     advance_estimate_ = in_doubles(advance);
     turn_estimate_ = in_doubles(turn);
     spread_estimate_ = in_doubles(spread);
@@ -200,7 +206,8 @@ Verdict verdict(const Limit& limit, double distance) {
     open[0].conditions.push_back(to_bernstein(form.coefficients()));
   }
   double least = kInfinity;
-  while (!open.empty()) {
+  for (int count = 0; !open.empty(); ++count) {
+    if (count == kMostIntervals) return {false, least};
     const Interval interval = std::move(open.back());
     open.pop_back();
     if (std::all_of(interval.conditions.begin(), interval.conditions.end(), is_positive)) continue;
@@ -223,13 +230,14 @@ Verdict verdict(const Limit& limit, double distance) {
 /// The largest distance within all limits that is proved, below their least sample by the
 /// tolerance.
 template <class SomeLimit>
-double proved_limit(const std::vector<SomeLimit>& limits, double tolerance) {
+double proved_limit(const std::vector<SomeLimit>& limits, double tolerance, double least_useful) {
   std::vector<double> samples(limits.size());
   for_each_index(limits.size(), [&](std::size_t i) { samples[i] = least_sample(limits[i]); });
   double least = *std::min_element(samples.begin(), samples.end());
   least = std::min(least, kFarthest * tolerance);
-  for (double margin = tolerance;; margin *= 2) {
+  for (double margin = tolerance; margin <= kMostTolerances * tolerance; margin *= 2) {
     const double distance = least - margin;
+    if (distance <= least_useful) return least_useful;
     std::vector<Verdict> verdicts(limits.size());
     for_each_index(limits.size(),
                    [&](std::size_t i) { verdicts[i] = verdict(limits[i], distance); });
@@ -238,9 +246,12 @@ double proved_limit(const std::vector<SomeLimit>& limits, double tolerance) {
     }
     for (const Verdict& v : verdicts) least = std::min(least, v.least_sample);
   }
+  throw Undecided("the limit of the offsets");
 }
 
+/// The spine has a cusp inside the link.
 bool turns_back(const ChainLink& link) {
+  if (link.stands_still()) return false;
   RationalPolynomial inside = link.content;
   for (const long end : {0L, 1L}) inside = inside.without_root(Rational(end));
   return !roots_in_unit_interval(inside).empty();
@@ -261,25 +272,28 @@ double chord(const ChainLink& link) {
 }  // namespace
 
 OffsetRange regular_range(const EnvelopeChain& chain, double tolerance) {
-  std::vector<RadiusLimit> radii;
-  std::vector<FocalLimit> focal;
-  bool regular = true;
-  for (const ChainLink& link : chain.links) {
-    radii.emplace_back(link.envelope.curve());
-    if (link.stands_still()) continue;
-    regular = regular && !turns_back(link);
-    FocalLimit limit(link);
-    if (!limit.is_unlimited()) focal.push_back(std::move(limit));
-  }
-  const double lower = -proved_limit(radii, tolerance);
-  if (!regular) return {lower, lower};
-  return {lower, focal.empty() ? kInfinity : proved_limit(focal, tolerance)};
+  if (std::any_of(chain.links.begin(), chain.links.end(), turns_back)) return {0, 0};
+  return at_sufficient_precision(
+      [&](long bits) {
+        std::vector<RadiusLimit> radii;
+        std::vector<FocalLimit> focal;
+        for (const ChainLink& link : chain.links) {
+          radii.emplace_back(link.envelope.curve(), bits);
+          if (link.stands_still()) continue;
+          FocalLimit limit(link, bits);
+          if (!limit.is_unlimited()) focal.push_back(std::move(limit));
+        }
+        const double lower = -proved_limit(radii, tolerance, -kInfinity);
+        const double upper = focal.empty() ? kInfinity : proved_limit(focal, tolerance, lower);
+        return OffsetRange{lower, upper};
+      },
+      kFirstBits);
 }
 
 double default_tolerance(const EnvelopeChain& chain) {
   double size = std::numeric_limits<double>::min();
   for (const ChainLink& link : chain.links) {
-    const RadiusLimit radius(link.envelope.curve());
+    const RadiusLimit radius(link.envelope.curve(), kFirstBits);
     size = std::max({size, std::abs(radius.sample(0)), std::abs(radius.sample(1)), chord(link)});
   }
   return 1e-9 * size;

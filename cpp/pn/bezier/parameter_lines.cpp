@@ -21,7 +21,7 @@ using Eigen::Matrix2d;
 /// the ratio 0.01 that the exported faces keep.
 constexpr double kLeastWeightRatio = 0.02;
 /// A segment is halved at most so often; then positive weights are taken as they are.
-constexpr int kMostHalvings = 6;
+constexpr int kMostHalvings = 10;
 
 /// A part of a link whose lines are one polynomial F, over [begin, end] of the spine's parameter.
 struct Segment {
@@ -32,6 +32,7 @@ struct Segment {
   int lines_degree;  ///< the largest degree that F may have
   int halvings = 0;
 
+  double left() const { return origin.to_double(); }
   double middle() const { return (origin + length / Rational(2)).to_double(); }
   double right() const { return (origin + length).to_double(); }
   bool is_whole_link() const { return origin.is_zero() && length == Rational(1); }
@@ -106,12 +107,13 @@ class FactorSequence {
 
   FactorSequence(const std::vector<Segment>& segments, bool closed, const ChainSeam& seam,
                  const std::vector<SpinorMatrix<C>>& spinors, long precision)
-      : segments_(segments), closed_(closed), seam_(seam), precision_(precision) {
-    left_.resize(segments.size());
-    right_.resize(segments.size());
+      : segments_(segments), closed_(closed), precision_(precision), parts_(segments.size()) {
     for_each_index(segments.size(), [&](std::size_t i) {
-      left_[i] = end_value(spinors[i], 0);
-      right_[i] = end_value(spinors[i], 1);
+      const Segment& segment = segments[i];
+      parts_[i] = {
+          {end_value(spinors[i], 0), end_value(spinors[i], 1)},
+          {even_end(seam, segment, segment.left()), even_end(seam, segment, segment.right())},
+          short_doubles<T>(seam.even(segment.link, segment.middle()))};
     });
   }
 
@@ -135,36 +137,44 @@ class FactorSequence {
 
   LineFactor<T> factor(std::size_t i) {
     const Segment& segment = segments_[i];
+    const Part& part = parts_[i];
     const bool closes = closed_ && i + 1 == segments_.size();
     const bool smooth_left = segment.joint_before == Joint::kSmooth && i > 0;
     const bool smooth_right = closes && segments_.front().joint_before == Joint::kSmooth;
 
-    LineEnd<T> left = free_end(segment, 0);
+    LineEnd<T> left = part.even[0];
     if (i > 0) {
       const LineEnd<T> met =
-          matched_to(i, 0, i - 1, finished(right_[i - 1], factors_[i - 1].ends[1]));
+          matched_to(i, 0, i - 1, finished(parts_[i - 1].ends[1], factors_[i - 1].ends[1]));
       left = {met.value, smooth_left ? met.slope : left.slope};
     }
     const int degree = std::min(smooth_left || smooth_right ? 3 : 2, segment.lines_degree);
-    if (degree == 0) return constant_line(left.value);
+    // Lines that cannot turn are even in the middle, or where those before them end.
+    if (degree == 0) return constant_line(i > 0 ? left.value : part.middle);
 
-    LineEnd<T> right = free_end(segment, 1);
+    LineEnd<T> right = part.even[1];
     if (closes) {
       const LineEnd<T>& start = i > 0 ? factors_.front().ends[0] : left;
-      const LineEnd<T> met = matched_to(i, 1, 0, finished(left_[0], start));
+      const LineEnd<T> met = matched_to(i, 1, 0, finished(parts_[0].ends[0], start));
       right = {met.value, smooth_right ? met.slope : right.slope};
     }
     if (degree == 1) return line_through(left.value, right.value);
     if (degree == 3) return hermite_cubic(left, right);
-    const Matrix2d middle = seam_.even(segment.link, segment.middle());
-    return parabola_through(left.value, short_doubles<T>(middle), right.value);
+    return parabola_through(left.value, part.middle, right.value);
   }
 
-  /// The even factor at an end of a segment, as short doubles.
-  LineEnd<T> free_end(const Segment& segment, int end) const {
-    const double t = end == 0 ? segment.origin.to_double() : segment.right();
-    return {short_doubles<T>(seam_.even(segment.link, t)),
-            short_doubles<T>(seam_.even_derivative(segment.link, t) * segment.length.to_double())};
+  /// What a segment brings along: A at its ends, and the even factor there and in the middle.
+  struct Part {
+    std::array<EndValue<C>, 2> ends;
+    std::array<LineEnd<T>, 2> even;
+    Matrix<T> middle;
+  };
+
+  /// The even factor of a segment's link at t, as short doubles; its slope in the segment's
+  /// parameter.
+  static LineEnd<T> even_end(const ChainSeam& seam, const Segment& segment, double t) {
+    return {short_doubles<T>(seam.even(segment.link, t)),
+            short_doubles<T>(seam.even_derivative(segment.link, t) * segment.length.to_double())};
   }
 
   /// A F at an end.
@@ -176,10 +186,9 @@ class FactorSequence {
   /// F at an end of a segment, met by the finished lines of a neighbour.
   LineEnd<T> matched_to(std::size_t own, int end, std::size_t neighbour,
                         const EndValue<C>& finished_neighbour) const {
-    const Segment& segment = segments_[own];
-    const double t = end == 0 ? segment.origin.to_double() : segment.right();
-    return matched<T>(end == 0 ? left_[own] : right_[own], finished_neighbour,
-                      stretch(own, neighbour), seam_.even(segment.link, t));
+    const Part& part = parts_[own];
+    return matched<T>(part.ends[end], finished_neighbour, stretch(own, neighbour),
+                      midpoint(part.even[end].value));
   }
 
   /// The length of one segment over that of another, as the knots have it.
@@ -192,9 +201,8 @@ class FactorSequence {
 
   const std::vector<Segment>& segments_;
   bool closed_;
-  const ChainSeam& seam_;
   long precision_;
-  std::vector<EndValue<C>> left_, right_;
+  std::vector<Part> parts_;
   std::vector<LineFactor<T>> factors_;
 };
 

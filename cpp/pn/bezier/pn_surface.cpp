@@ -113,6 +113,10 @@ Certificate PNSurface::certificate(Lines lines) const {
 
 std::vector<SurfacePoint> PNSurface::evaluate(const std::vector<double>& t,
                                               const std::vector<double>& v) const {
+  const auto is_finite = [](double x) { return std::isfinite(x); };
+  if (!std::all_of(t.begin(), t.end(), is_finite) || !std::all_of(v.begin(), v.end(), is_finite)) {
+    throw GeometryError(ErrorCode::kNotFinite, "A parameter is not a finite number.");
+  }
   const auto rounded = section(Lines::kEven);
   const std::vector<BSplineSurface> normals = rounded->net->normals();
   std::vector<SurfacePoint> result;

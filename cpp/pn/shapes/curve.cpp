@@ -83,6 +83,18 @@ std::vector<Rational> exact(const std::vector<double>& values) {
   return result;
 }
 
+/// Weights up to a common power of two, the largest between 1 and 2: only their ratios matter.
+std::vector<Rational> scaled_weights(const std::vector<double>& weights, std::size_t count) {
+  if (weights.empty()) return std::vector<Rational>(count, Rational(1));
+  const int exponent = std::ilogb(*std::max_element(weights.begin(), weights.end()));
+  // Two steps, since 2^-exponent alone may not be a double.
+  const Rational half = Rational::exactly(std::ldexp(1.0, -(exponent / 2)));
+  const Rational rest = Rational::exactly(std::ldexp(1.0, -(exponent - exponent / 2)));
+  std::vector<Rational> result;
+  for (const double weight : weights) result.push_back(Rational::exactly(weight) * half * rest);
+  return result;
+}
+
 /// Every knot as often as its multiplicity says.
 std::vector<Rational> flat_knots(const std::vector<Rational>& knots,
                                  const std::vector<int>& multiplicities) {
@@ -156,9 +168,7 @@ PiecewiseRational<Dimension> piecewise(const BSplineData<Dimension>& data) {
   PiecewiseRational<Dimension> function;
   function.breaks = exact(data.knots);
   const std::vector<Rational> flat = flat_knots(function.breaks, data.multiplicities);
-  const std::vector<Rational> weights = data.weights.empty()
-                                            ? std::vector<Rational>(data.poles.size(), Rational(1))
-                                            : exact(data.weights);
+  const std::vector<Rational> weights = scaled_weights(data.weights, data.poles.size());
   std::array<std::vector<Rational>, Dimension> homogeneous;
   for (std::size_t c = 0; c < Dimension; ++c) {
     for (std::size_t i = 0; i < data.poles.size(); ++i) {
