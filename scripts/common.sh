@@ -6,16 +6,22 @@ python=/usr/bin/python3
 export PYTHONPATH="$build/python:$root/workbench${PYTHONPATH:+:$PYTHONPATH}"
 export PYTHONDONTWRITEBYTECODE=1
 
-# Configures a preset of CMakePresets.json in folder $2, once, and builds it.
+# Configures a preset of CMakePresets.json in folder $2, once, and builds the targets that follow.
 build_preset() {
   (
     cd "$root"
     [ -f "$2/build.ninja" ] || cmake --preset "$1"
-    cmake --build "$2"
+    cmake --build "$2" --target "${@:3}"
   )
 }
 
 build_all() {
   "$root/scripts/setup"
-  build_preset release "$build"
+  build_preset release "$build" all
+}
+
+# What FreeCAD needs, without tests and benchmarks.
+build_modules() {
+  "$root/scripts/setup"
+  build_preset release "$build" pnkernel pnocct
 }

@@ -73,8 +73,10 @@ RESULTS = (
     _result("App::PropertyString", "Deviation",
             QT_TRANSLATE_NOOP("App::Property",
                               "Proven bound on the distance to the true surface")),
-    _result("App::PropertyFloat", "DeviationBound",
-            QT_TRANSLATE_NOOP("App::Property", "The same bound as a number, in millimetres")),
+    # The property editor would show it as 0.00.
+    Property("App::PropertyFloat", "DeviationBound", "Result",
+             QT_TRANSLATE_NOOP("App::Property", "The same bound as a number, in millimetres"),
+             attributes=READ_ONLY | HIDDEN | OUTPUT),
     _result("App::PropertyBool", "Exact",
             QT_TRANSLATE_NOOP("App::Property", "Whether only rounding to doubles deviates")),
     _result("App::PropertyStringList", "Notes",

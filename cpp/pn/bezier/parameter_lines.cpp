@@ -32,6 +32,8 @@ struct Segment {
   int lines_degree;  ///< the largest degree that F may have
   int halvings = 0;
 
+  /// The double at which the segment would be halved; not inside when its ends are neighbours.
+  double cut() const { return begin + (end - begin) / 2; }
   double left() const { return origin.to_double(); }
   double middle() const { return (origin + length / Rational(2)).to_double(); }
   double right() const { return (origin + length).to_double(); }
@@ -41,7 +43,7 @@ struct Segment {
 /// The two halves; they meet at a double, so that the knots say exactly where.
 std::array<Segment, 2> halves(const Segment& segment, Joint joint) {
   const Rational begin = Rational::exactly(segment.begin), end = Rational::exactly(segment.end);
-  const double middle = segment.begin + (segment.end - segment.begin) / 2;
+  const double middle = segment.cut();
   const Rational part = (Rational::exactly(middle) - begin) / (end - begin);
   Segment left = segment, right = segment;
   left.halvings = right.halvings = segment.halvings + 1;
@@ -342,7 +344,8 @@ class Planner {
   }
 
   bool can_be_refined(const Segment& segment) const {
-    return segment.halvings < kMostHalvings && room(segment.link) > 0;
+    const bool has_cut = segment.begin < segment.cut() && segment.cut() < segment.end;
+    return has_cut && segment.halvings < kMostHalvings && room(segment.link) > 0;
   }
 
   /// Lines that may turn, where they were constant; otherwise two halves.

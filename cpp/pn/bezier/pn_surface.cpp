@@ -57,7 +57,7 @@ PNSurface::PNSurface(EnvelopeChain chain)
       sections_(std::make_shared<std::array<std::shared_ptr<const Section>, 2>>()) {}
 
 PNSurface PNSurface::offset(double d) const {
-  if (!std::isfinite(d)) {
+  if (!std::isfinite(distance_ + d)) {
     throw GeometryError(ErrorCode::kNotFinite, "The distance is not a finite number.");
   }
   PNSurface result = *this;

@@ -214,7 +214,13 @@ Curve Curve::chain(const std::vector<Curve>& curves) {
     const Rational shift = function.breaks.back() - next.breaks.front();
     for (std::size_t j = 1; j < next.breaks.size(); ++j) {
       // Breaks only label the spans, so they may be rounded to the doubles that knots must be.
-      function.breaks.push_back(Rational::exactly((next.breaks[j] + shift).to_double()));
+      const Rational rounded = Rational::exactly((next.breaks[j] + shift).to_double());
+      if (!(function.breaks.back() < rounded)) {
+        throw GeometryError(ErrorCode::kBadKnots,
+                            "Curve number " + std::to_string(i + 1) +
+                                " of the chain has a domain too short beside those before it.");
+      }
+      function.breaks.push_back(rounded);
     }
     function.spans.insert(function.spans.end(), next.spans.begin(), next.spans.end());
   }

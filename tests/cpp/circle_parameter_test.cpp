@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/bezier/circle_parameter.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "enclosures.hpp"
+
+using pn::CircleColumns;
+using pn::Rational;
+using namespace pn::test;
+
+namespace {
+
+/// The coefficients are those of a square (x u0 + y u1)^2 with (x, y) not zero.
+void check_square(const std::array<Rational, 3>& c) {
+  CHECK(c[1] * c[1] == Rational(4L) * c[0] * c[2]);
+  CHECK((c[0] + c[2]).sign() > 0);
+}
+
+/// The angle of the normal that u = (u0 : u1) has where the weight is even.
+double angle(const std::array<Rational, 3>& c) {
+  return std::atan2(c[1].to_double(), (c[0] - c[2]).to_double());
+}
+
+/// Parameters from the first to the last knot.
+std::vector<double> parameters(const CircleColumns& columns) {
+  std::vector<double> result;
+  const double first = columns.knots.front(), last = columns.knots.back();
+  const int steps = 16 * static_cast<int>(columns.knots.size() - 1);
+  for (int i = 0; i <= steps; ++i) result.push_back(first + (last - first) * i / steps);
+  return result;
+}
+
+/// The sum of the steps of the angle, each of which must go forward.
+double turn(const CircleColumns& columns) {
+  double sum = 0, before = angle(circle_coefficients(columns, columns.knots.front()));
+  for (const double v : parameters(columns)) {
+    const double next = angle(circle_coefficients(columns, v));
+    const double step = std::remainder(next - before, 2 * M_PI);
+    CHECK(step >= 0);
+    sum += step;
+    before = next;
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("The whole circle is the square of a closed curve, once around", "[circle_parameter]") {
+  for (const int spans : {3, 4, 5, 8, 32}) {
+    INFO(spans << " spans");
+    const CircleColumns circle = pn::whole_circle(spans);
+    REQUIRE(circle.coefficients.size() == pn::pole_count(circle.degree, circle.multiplicities));
+    for (const double v : parameters(circle)) check_square(circle_coefficients(circle, v));
+    CHECK(turn(circle) == Approx(2 * M_PI));
+    CHECK(circle.coefficients.front() == circle.coefficients.back());
+    CHECK(circle.knots.back() == spans);
+    for (std::size_t i = 1; i + 1 < circle.multiplicities.size(); ++i) {
+      CHECK(circle.multiplicities[i] <= circle.degree - 1);
+    }
+  }
+}
+
+TEST_CASE("The circle closes C1", "[circle_parameter]") {
+  for (const int spans : {3, 4, 7}) {
+    const auto& c = pn::whole_circle(spans).coefficients;
+    const std::size_t last = c.size() - 1;
+    for (std::size_t q = 0; q < 3; ++q) CHECK(c[1][q] - c[0][q] == c[last][q] - c[last - 1][q]);
+  }
+}
+
+TEST_CASE("Four spans keep an even weight within a factor of 1.2", "[circle_parameter]") {
+  double least = INFINITY, largest = 0;
+  for (const auto& c : pn::whole_circle(4).coefficients) {
+    const double weight = (c[0] + c[2]).to_double();
+    least = std::min(least, weight);
+    largest = std::max(largest, weight);
+  }
+  CHECK(least > 0);
+  CHECK(largest < 1.2 * least);
+}
+
+TEST_CASE("The arcs are squares that continue each other once around", "[circle_parameter]") {
+  for (const int arcs : {3, 4, 16}) {
+    double sum = 0;
+    for (int i = 0; i < arcs; ++i) {
+      const CircleColumns arc = pn::circle_arc(i, arcs);
+      REQUIRE(arc.coefficients.size() == 3);
+      for (const double v : parameters(arc)) check_square(circle_coefficients(arc, v));
+      CHECK(arc.coefficients.back() == pn::circle_arc((i + 1) % arcs, arcs).coefficients.front());
+      sum += turn(arc);
+    }
+    CHECK(sum == Approx(2 * M_PI));
+  }
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/bezier/evaluation.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "enclosures.hpp"
+
+using pn::BSplineSurface;
+using pn::evaluate;
+using namespace pn::test;
+
+namespace {
+
+/// Inner knots of multiplicity one and two, uneven weights.
+BSplineSurface surface() {
+  BSplineSurface s;
+  s.u_degree = 3;
+  s.v_degree = 2;
+  s.u_knots = {-1, 0.5, 2, 3};
+  s.u_multiplicities = {4, 1, 2, 4};
+  s.v_knots = {0, 1, 4};
+  s.v_multiplicities = {3, 1, 3};
+  for (std::size_t i = 0; i < s.u_count(); ++i) {
+    for (std::size_t j = 0; j < s.v_count(); ++j) {
+      const double x = static_cast<double>(i), y = static_cast<double>(j);
+      s.poles.push_back({x, y + 0.1 * x * x, x * y - 0.3 * y * y});
+      s.weights.push_back(1 + static_cast<double>((3 * i + 5 * j) % 7) / 4);
+    }
+  }
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("Values are those of de Boor's algorithm in balls", "[evaluation]") {
+  const BSplineSurface s = surface();
+  for (const double u : {-1.0, 0.0, 0.5, 1.9, 2.0, 2.5, 3.0}) {
+    for (const double v : {0.0, 0.7, 1.0, 3.9, 4.0}) {
+      const auto point = evaluate(s, u, v);
+      const auto expected = enclosed_point(s, u, v, 128);
+      for (std::size_t c = 0; c < 3; ++c)
+        CHECK(point[c] == Approx(expected[c].midpoint()).margin(1e-13));
+    }
+  }
+}
+
+TEST_CASE("The basis functions sum to one", "[evaluation]") {
+  BSplineSurface s = surface();
+  for (auto& pole : s.poles) pole = {3, -5, 7};
+  for (const double u : {-1.0, 0.2, 0.5, 2.0, 3.0}) {
+    const auto point = evaluate(s, u, 1.3);
+    CHECK(point[0] == Approx(3));
+    CHECK(point[1] == Approx(-5));
+  }
+}
+
+TEST_CASE("Parameters outside the knots are taken at the nearest end", "[evaluation]") {
+  const BSplineSurface s = surface();
+  CHECK(evaluate(s, -7, 9) == evaluate(s, -1, 4));
+  CHECK(evaluate(s, 5, -1) == evaluate(s, 3, 0));
+  for (std::size_t c = 0; c < 3; ++c) {
+    CHECK(evaluate(s, -1, 0)[c] == Approx(s.poles.front()[c]));
+    CHECK(evaluate(s, 3, 4)[c] == Approx(s.poles.back()[c]));
+  }
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/bezier/offset_limits.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "enclosures.hpp"
+#include "pn/shapes/canal_surface.hpp"
+
+using namespace pn;
+
+namespace {
+
+OffsetRange range(const Curve& spine, const Law& law) {
+  const EnvelopeChain chain = canal_surface(spine, law);
+  return regular_range(chain, default_tolerance(chain));
+}
+
+/// The range lies inside the true one and within 1e-6 of it.
+void check_range(const OffsetRange& found, double lower, double upper) {
+  CHECK(found.lower >= lower);
+  CHECK(found.lower <= lower + 1e-6);
+  if (std::isinf(upper)) {
+    CHECK(std::isinf(found.upper));
+  } else {
+    CHECK(found.upper <= upper);
+    CHECK(found.upper >= upper - 1e-6);
+  }
+}
+
+Curve circle(double radius) {
+  const double r = radius;
+  return Curve::bspline({2,
+                         {0, 1, 2, 3, 4},
+                         {3, 2, 2, 2, 3},
+                         {{r, 0, 0},
+                          {r, r, 0},
+                          {0, r, 0},
+                          {-r, r, 0},
+                          {-r, 0, 0},
+                          {-r, -r, 0},
+                          {0, -r, 0},
+                          {r, -r, 0},
+                          {r, 0, 0}},
+                         {1, 1, 2, 1, 1, 1, 2, 1, 1}});
+}
+
+}  // namespace
+
+TEST_CASE("Cylinder, cone, torus", "[offset_limits]") {
+  check_range(range(Curve::bezier({{0, 0, 0}, {1, 2, 2}}), Law::constant(0.5)), -0.5, INFINITY);
+  check_range(range(Curve::bezier({{0, 0, 0}, {1, 2, 2}}), Law::bezier({0.5, 2})), -0.5, INFINITY);
+  check_range(range(circle(4), Law::constant(1)), -1, 3);
+  check_range(range(Curve::bezier({{4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {1, 1, 2}), Law::constant(1)),
+              -1, 3);
+}
+
+TEST_CASE("A pipe ends at the least radius of curvature of its spine", "[offset_limits]") {
+  // The parabola (2 t - 1, (2 t - 1)^2) has radius of curvature 1/2 at its vertex t = 1/2.
+  const Curve parabola = Curve::bezier({{-1, 1, 0}, {0, -1, 0}, {1, 1, 0}});
+  check_range(range(parabola, Law::constant(0.125)), -0.125, 0.375);
+  // The helix-like cubic (t, t^2, t^3): curvature 2 at t = 0, its largest on [0, 1].
+  const Curve twisted =
+      Curve::bezier({{0, 0, 0}, {1. / 4, 0, 0}, {1. / 2, 1. / 4, 0}, {3. / 4, 3. / 4, 3. / 4}});
+  const OffsetRange found = range(twisted, Law::constant(0.01));
+  double largest = 0;
+  for (int i = 0; i <= 4000; ++i) {
+    const double t = i / 4000.0;
+    // (3/4 t, 3/4 t^2, 3/4 t^3) and its derivatives.
+    const std::array<double, 3> a = {1, 2 * t, 3 * t * t}, b = {0, 2, 6 * t};
+    const std::array<double, 3> c = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                                     a[0] * b[1] - a[1] * b[0]};
+    const double speed = std::hypot(a[0], a[1], a[2]);
+    largest = std::max(largest, std::hypot(c[0], c[1], c[2]) / (speed * speed * speed) / 0.75);
+  }
+  CHECK(found.upper == Approx(1 / largest - 0.01).epsilon(1e-5));
+}
+
+TEST_CASE("A radius that varies moves the focal distance", "[offset_limits]") {
+  // A straight spine: the meridian (t + r n_x, r n_y) is a plane curve. For r = 2 - t^2 / 2 the
+  // largest turn is at the middle of the bump; K = R' = -1 there for M = 1, so only rho = 0 counts
+  // inside, while a dip r = 1 + t^2 / 2 has K = 1: rho < D = 1 - t^2, least at the ends of [-1/2,
+  // 1/2].
+  const Curve line = Curve::bezier({{-0.5, 0, 0}, {0.5, 0, 0}});
+  check_range(range(line, Law::bezier({2, 2.25, 2})), -2, INFINITY);
+  // r = 1 + (t - 1/2)^2 / 2: at t the focal distance is 1 - s^2 - r = -3/2 s^2 with s = t - 1/2.
+  const OffsetRange dip = range(line, Law::bezier({1.125, 0.875, 1.125}));
+  check_range(dip, -1, -0.375);
+}
+
+TEST_CASE("At a corner only the radius counts", "[offset_limits]") {
+  const Curve corner =
+      Curve::bspline({1, {0, 1, 2}, {2, 1, 2}, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {}});
+  check_range(range(corner, Law::constant(0.5)), -0.5, INFINITY);
+}
+
+TEST_CASE("A place where the spine stands still leaves no regular offset", "[offset_limits]") {
+  const OffsetRange cusp =
+      range(Curve::bezier({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}}), Law::constant(0.5));
+  CHECK(cusp.lower >= cusp.upper - 1e-6);
+}
+
+TEST_CASE("The tolerance is in proportion to the surface", "[offset_limits]") {
+  const auto chain = [](double size) {
+    return canal_surface(Curve::bezier({{0, 0, 0}, {size, 2 * size, 2 * size}}),
+                         Law::constant(size));
+  };
+  CHECK(default_tolerance(chain(0x1p20)) == Approx(0x1p20 * default_tolerance(chain(1))));
+  CHECK(default_tolerance(chain(1)) > 0);
+  CHECK(default_tolerance(chain(1)) <= 1e-6);
+}

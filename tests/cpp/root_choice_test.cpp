@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/isotropic/root_choice.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "circle_families.hpp"
+
+using namespace pn;
+using namespace pn::test;
+
+namespace {
+
+const SphereCurve kCurve{{polynomial({0, 1}), 1L, 2L}, 1L, 1L};
+
+/// Pairs of multiplicity two and one; D has no real zero.
+CircleFamily circles() {
+  const auto c = factor(1, 2), e = factor(-2, 1);
+  return turned(planted_family(product({c, c, e}), polynomial({1, 0, 5, 1})));
+}
+
+int column_degree(const LocalForms& local, const RootChoice& choice) {
+  return spinor_factorization(hermitian_matrix(local.curve), half_roots(local.roots, choice))
+      .degree[0];
+}
+
+}  // namespace
+
+TEST_CASE("A choice stands for half of the roots", "[root_choice]") {
+  const LocalForms local = local_forms(kCurve, circles(), 128);
+  REQUIRE(local.roots.pairs.size() == 2);
+  const std::size_t twice = local.roots.pairs[0].multiplicity == 2 ? 0 : 1;
+  RootChoice choice(2, 0);
+  choice[twice] = 1;
+  const auto half = half_roots(local.roots, choice);
+  CHECK(half.complex.size() == 3);
+  int upper = 0;
+  for (const ComplexBall& root : half.complex) upper += root.imag().is_positive() ? 1 : 0;
+  CHECK(upper == 1);
+  CHECK(half.real.empty());
+  CHECK(half.infinite == 0);
+}
+
+TEST_CASE("No choice has a lower degree than the best", "[root_choice]") {
+  const LocalForms local = local_forms(kCurve, circles(), 256);
+  const int best = column_degree(local, best_root_choice(local));
+  CHECK(best == 2);
+  for (int a = 0; a <= local.roots.pairs[0].multiplicity; ++a) {
+    for (int b = 0; b <= local.roots.pairs[1].multiplicity; ++b) {
+      CHECK(column_degree(local, {a, b}) >= best);
+    }
+  }
+}
+
+TEST_CASE("The matrix of the circles has determinant -D", "[root_choice]") {
+  const LocalForms local = local_forms(kCurve, circles(), 128);
+  const auto h = hermitian_matrix(local.curve);
+  const auto determinant = h.h00 * h.h11 - h.h01 * conj(h.h01);
+  const RationalPolynomial d = circles().discriminant();
+  for (int i = 0; i <= determinant.degree(); ++i) {
+    CHECK(determinant[i].real().contains(-d.coefficient(i)));
+    CHECK(determinant[i].imag().contains_zero());
+  }
+}
