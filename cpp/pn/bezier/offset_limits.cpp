@@ -18,7 +18,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Differences of 1e-9 of large coefficients of degree 40 are mostly certain with so many bits.
 constexpr long kFirstBits = 192;
 /// With each precision the distance may back off from the least sample by so many tolerances.
-constexpr double kMostTolerances = 1024;
+constexpr double kMostTolerances = 8;
 /// Intervals are halved this often before a distance counts as not provable.
 constexpr int kMostHalvings = 40;
 /// And a proof that takes more intervals than this lacks precision.
@@ -38,12 +38,8 @@ Form<RealBall> in_balls(const RationalPolynomial& p, long bits) {
   return Form<RealBall>(std::move(result));
 }
 
-Form<double> in_doubles(const RationalPolynomial& p) {
-  std::vector<double> result;
-  for (const Rational& c : coefficients(p, std::max(p.degree(), 0)))
-    result.push_back(c.to_double());
-  return Form<double>(std::move(result));
-}
+/// The value at a double, right to all its digits: in doubles high degrees would leave few of them.
+double value_at(const Form<RealBall>& p, double t) { return p(RealBall(t)).midpoint(); }
 
 /// The sum of two polynomials of different degrees.
 Form<RealBall> sum(const Form<RealBall>& a, const Form<RealBall>& b) {
@@ -70,7 +66,7 @@ bool is_positive(const Polynomial& b) {
 class Limit {
  public:
   virtual ~Limit() = default;
-  /// The limit at a parameter, as an estimate.
+  /// The limit at a parameter.
   virtual double sample(double t) const = 0;
   /// Polynomials whose positivity on [0, 1] proves that `distance` is within the limit everywhere.
   virtual std::vector<Form<RealBall>> conditions(double distance) const = 0;
@@ -80,19 +76,17 @@ class Limit {
 class RadiusLimit : public Limit {
  public:
   RadiusLimit(const SphereCurve& curve, long bits)
-      : radius_(in_balls(curve.radius, bits)),
-        denominator_(in_balls(curve.denominator, bits)),
-        radius_estimate_(in_doubles(curve.radius)),
-        denominator_estimate_(in_doubles(curve.denominator)) {}
+      : radius_(in_balls(curve.radius, bits)), denominator_(in_balls(curve.denominator, bits)) {}
 
-  double sample(double t) const override { return radius_estimate_(t) / denominator_estimate_(t); }
+  double sample(double t) const override {
+    return value_at(radius_, t) / value_at(denominator_, t);
+  }
   std::vector<Form<RealBall>> conditions(double inwards) const override {
     return {sum(radius_, denominator_ * RealBall(-inwards))};
   }
 
  private:
   Form<RealBall> radius_, denominator_;
-  Form<double> radius_estimate_, denominator_estimate_;
 };
 
 /// d < lambda D / K - r where K > 0: the limit outwards.
@@ -105,10 +99,10 @@ class FocalLimit : public Limit {
   bool is_unlimited() const { return unlimited_; }
 
   double sample(double t) const override {
-    const double turn = turn_estimate_(t) + std::sqrt(std::max(0.0, spread_estimate_(t)));
+    const double turn = value_at(turn_, t) + std::sqrt(std::max(0.0, value_at(spread_, t)));
     if (turn <= 0) return kInfinity;
-    const double q = denominator_estimate_(t);
-    return advance_estimate_(t) / (q * q * turn) - radius_estimate_(t) / q;
+    const double q = value_at(denominator_, t);
+    return value_at(advance_, t) / (q * q * turn) - value_at(radius_, t) / q;
   }
 
   std::vector<Form<RealBall>> conditions(double distance) const override {
@@ -120,10 +114,7 @@ class FocalLimit : public Limit {
  private:
   FocalLimit(const SphereCurve& curve, const CircleFamily& circles, RationalPolynomial content,
              long bits)
-      : radius_(in_balls(curve.radius, bits)),
-        denominator_(in_balls(curve.denominator, bits)),
-        radius_estimate_(in_doubles(curve.radius)),
-        denominator_estimate_(in_doubles(curve.denominator)) {
+      : radius_(in_balls(curve.radius, bits)), denominator_(in_balls(curve.denominator, bits)) {
     const CircleFamily slope = derivative(circles);
     const RationalPolynomial square = dot(circles, circles), mixed = dot(circles, slope);
     const RationalPolynomial discriminant = circles.discriminant();
@@ -140,9 +131,6 @@ class FocalLimit : public Limit {
     advance_ = in_balls(advance, bits);
     turn_ = in_balls(turn, bits);
     spread_ = in_balls(spread, bits);
-    advance_estimate_ = in_doubles(advance);
-    turn_estimate_ = in_doubles(turn);
-    spread_estimate_ = in_doubles(spread);
   }
 
   static RationalPolynomial dot(const CircleFamily& a, const CircleFamily& b) {
@@ -159,8 +147,6 @@ class FocalLimit : public Limit {
 
   bool unlimited_ = false;
   Form<RealBall> advance_, turn_, spread_, radius_, denominator_;
-  Form<double> advance_estimate_, turn_estimate_, spread_estimate_;
-  Form<double> radius_estimate_, denominator_estimate_;
 };
 
 struct Sample {
