@@ -209,15 +209,16 @@ void define_outputs(py::module_& module) {
 void define_surface(py::module_& module) {
   using Release = py::call_guard<py::gil_scoped_release>;
   py::class_<pn::PNSurface>(module, "PNSurface", "An exact surface with rational unit normals.")
-      .def("offset", &pn::PNSurface::offset, py::arg("distance"),
+      .def("offset", &pn::PNSurface::offset, py::arg("d"),
            "The surface at distance + d, in mm, on the side of the normal for d > 0. Cheap.")
       .def_property_readonly("distance", &pn::PNSurface::distance)
       .def_property_readonly(
           "degree", [](const pn::PNSurface& s) { return tuple_of(s.degree()); },
           "(degree along, degree around) of what the algebra delivers.")
       .def("evaluate", &evaluate, py::arg("t"), py::arg("u"),
-           "Points and unit normals, each (n, 3), at parameters t (n,) of the spine and u (n,) in "
-           "[0, 4] around it.")
+           "Points and unit normals, each (n, 3), of the even faces at their parameters: t (n,) "
+           "along "
+           "the spine, over its domain, and u (n,) in [0, 4] around it.")
       .def_property_readonly(
           "regular_range",
           [](const pn::PNSurface& surface) {
@@ -242,8 +243,19 @@ void define_surface(py::module_& module) {
           "for every arc.")
       .def_property_readonly(
           "certificate",
-          [](const pn::PNSurface& surface) { return surface.certificate(pn::Lines::kEven); },
-          "The certificate of the even faces.", Release());
+          [](const pn::PNSurface& surface) {
+            const py::gil_scoped_release release;
+            return surface.certificate(pn::Lines::kEven);
+          },
+          "The certificate of the even faces.")
+      .def(
+          "certificate_of",
+          [](const pn::PNSurface& surface, const std::string& lines) {
+            const pn::Lines choice = lines_of(lines);
+            const py::gil_scoped_release release;
+            return surface.certificate(choice);
+          },
+          py::arg("lines"), "The certificate of the faces that bsplines(lines) gives.");
 
   module.def(
       "canal_surface",

@@ -1,17 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The command Canal surface and its task panel, driven as a person drives them."""
 
+import gc
 import os
 import tempfile
+import weakref
 from unittest import mock
 
 import FreeCAD
 import FreeCADGui
 import main_window
+import Part
+from FreeCAD import Vector
 from support import GuiTest, input_of, poles, wait_for_preview
 
 from pnsurfaces import kernel
 
+
+# A closed spine with corners, in millimetres.
+SQUARE = [(0, 0, 0), (80, 0, 0), (80, 80, 0), (0, 80, 0), (0, 0, 0)]
 
 # An end radius, in millimetres, to which the radius changes faster than Line advances.
 TOO_WIDE = "500"
@@ -23,7 +30,7 @@ class CreationTest(GuiTest):
         input_of(panel, "RadiusLaw").setCurrentText("Linear")
         main_window.type_text(input_of(panel, "EndRadius"), "9.5")
         main_window.type_text(input_of(panel, "Distance"), "-1.25")
-        main_window.click_ok()
+        main_window.confirm(panel)
         self.assert_nothing_open()
         self.assertEqual(self.document.UndoNames, ["Canal surface"])
         self.assertTrue(feature.isValid())
@@ -40,7 +47,7 @@ class CreationTest(GuiTest):
         _, panel = self.open_panel(self.spline, "Edge1")
         main_window.type_text(input_of(panel, "Distance"), "2")
         wait_for_preview()
-        main_window.click_cancel()
+        main_window.cancel(panel)
         self.assert_nothing_open()
         self.assertEqual(self.document.Objects, [self.line, self.spline])
         self.assertEqual(self.document.UndoCount, 0)
@@ -48,20 +55,46 @@ class CreationTest(GuiTest):
     def test_cancel_before_the_preview(self):
         _, panel = self.open_panel(self.spline, "Edge1")
         main_window.type_text(input_of(panel, "Distance"), "2")
-        main_window.click_cancel()
+        main_window.cancel(panel)
+        wait_for_preview()
+        self.assert_nothing_open()
+        self.assertEqual(self.document.Objects, [self.line, self.spline])
+
+    def test_closed_panel_is_forgotten(self):
+        _, panel = self.open_panel(self.spline, "Edge1")
+        parts = [panel, panel.radii]
+        parts += [input_of(panel, name) for name in ("RadiusLaw", "Radius", "use_selection")]
+        forgotten = [weakref.ref(part) for part in parts]
+        main_window.cancel(panel)
+        del panel, parts
+        gc.collect()
+        self.assertEqual([reference() for reference in forgotten], [None] * len(forgotten))
+
+    def test_undo_while_the_panel_is_open_takes_the_surface_back(self):
+        _, panel = self.open_panel(self.spline, "Edge1")
+        main_window.type_text(input_of(panel, "Distance"), "2")
+        self.document.undo()
         wait_for_preview()
         self.assert_nothing_open()
         self.assertEqual(self.document.Objects, [self.line, self.spline])
 
     def test_without_spine_it_asks_for_one(self):
-        FreeCADGui.Selection.clearSelection()
-        answers = []
-        main_window.answer_message_box(answers)
-        FreeCADGui.runCommand("PNSurfaces_CanalSurface")
-        self.assertEqual(
-            answers, ["Select the spine first: edges of one object, a wire or a sketch."]
-        )
-        self.assertEqual(self.document.Objects, [self.line, self.spline])
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        objects = self.document.Objects
+        for select in (
+            FreeCADGui.Selection.clearSelection,
+            lambda: self.select(box, "Face1"),
+            lambda: FreeCADGui.Selection.addSelection(self.line, "Edge1"),
+        ):
+            select()
+            answers = []
+            main_window.answer_message_box(answers)
+            FreeCADGui.runCommand("PNSurfaces_CanalSurface")
+            self.assertEqual(
+                answers, ["Select the spine first: edges of one object, a wire or a sketch."]
+            )
+            self.assertEqual(self.document.Objects, objects)
 
     def test_without_kernel_it_says_how_to_install(self):
         sentence = "The PN Surfaces kernel is not built. Run scripts/build."
@@ -80,7 +113,7 @@ class CreationTest(GuiTest):
         panel.radii.setData(panel.radii.index(2, 0), "7 mm")
         feature.setExpression("Distance", "1 mm + 0.5 mm")
         wait_for_preview()
-        main_window.click_ok()
+        main_window.confirm(panel)
         made, expressions = poles(feature), feature.ExpressionEngine
         self.assertEqual([path for path, _ in expressions], ["Distance"])
         script = main_window.recorded_commands()[before:]
@@ -102,8 +135,8 @@ class CreationTest(GuiTest):
 class EditingTest(GuiTest):
     def setUp(self):
         super().setUp()
-        self.feature, _ = self.open_panel(self.line, "Edge1")
-        main_window.click_ok()
+        self.feature, panel = self.open_panel(self.line, "Edge1")
+        main_window.confirm(panel)
         self.document.clearUndos()
 
     def test_ok_is_one_undo_step(self):
@@ -111,7 +144,7 @@ class EditingTest(GuiTest):
         panel = self.reopen_panel(self.feature)
         main_window.type_text(input_of(panel, "Distance"), "3")
         main_window.type_text(input_of(panel, "Radius"), "4.125")
-        main_window.click_ok()
+        main_window.confirm(panel)
         self.assert_nothing_open()
         self.assertEqual(self.document.UndoNames, ["Edit CanalSurface"])
         self.assert_radius(self.feature, 7.125)
@@ -127,7 +160,7 @@ class EditingTest(GuiTest):
         input_of(panel, "RadiusLaw").setCurrentText("Bezier coefficients")
         wait_for_preview()
         self.assertNotEqual(poles(self.feature), before)
-        main_window.click_cancel()
+        main_window.cancel(panel)
         self.assert_nothing_open()
         self.assertEqual(self.feature.Distance.Value, 0)
         self.assertEqual(self.feature.RadiusLaw, "Constant")
@@ -142,7 +175,7 @@ class EditingTest(GuiTest):
         main_window.type_text(input_of(panel, "EndRadius"), TOO_WIDE)
         wait_for_preview()
         self.assertFalse(self.feature.isValid())
-        main_window.click_cancel()
+        main_window.cancel(panel)
         self.assertTrue(self.feature.isValid())
         self.assertEqual(self.feature.Status, "Valid")
         self.assertNotIn("Touched", self.feature.State)
@@ -151,9 +184,10 @@ class EditingTest(GuiTest):
         self.feature.Radius = 1.23456789
         self.document.recompute()
         self.document.clearUndos()
-        self.reopen_panel(self.feature)
-        main_window.click_ok()
+        panel = self.reopen_panel(self.feature)
+        main_window.confirm(panel)
         self.assertEqual(self.feature.Radius.Value, 1.23456789)
+        self.assertEqual(self.document.UndoCount, 0)
 
     def test_dependent_objects_follow_on_ok_only(self):
         follower = self.document.addObject("Part::Box", "Follower")
@@ -163,7 +197,7 @@ class EditingTest(GuiTest):
         main_window.type_text(input_of(panel, "Distance"), "3")
         wait_for_preview()
         self.assertEqual(follower.Length.Value, 1)
-        main_window.click_ok()
+        main_window.confirm(panel)
         self.assertEqual(follower.Length.Value, 4)
 
     def test_preview_follows_typing_after_a_pause(self):
@@ -180,7 +214,7 @@ class EditingTest(GuiTest):
         self.feature.setExpression("Distance", "2 mm + 3 mm")
         wait_for_preview()
         self.assertEqual(input_of(panel, "Distance").property("rawValue"), 5)
-        main_window.click_ok()
+        main_window.confirm(panel)
         self.assertEqual([path for path, _ in self.feature.ExpressionEngine], ["Distance"])
         self.assert_radius(self.feature, self.feature.Radius.Value + 5)
 
@@ -198,7 +232,7 @@ class EditingTest(GuiTest):
         main_window.type_text(input_of(panel, "Distance"), "3")
         wait_for_preview()
         self.assertNotEqual(poles(feature), before)
-        main_window.click_cancel()
+        main_window.cancel(panel)
         self.assertEqual(poles(feature), before)
 
     def test_deleting_the_feature_closes_the_panel(self):
@@ -212,7 +246,7 @@ class EditingTest(GuiTest):
 class PanelTest(GuiTest):
     def test_spine_is_recognised(self):
         _, panel = self.open_panel(self.spline, "Edge1")
-        self.assertIn("Degree 3, 4 spans, 5 vertices", input_of(panel, "spine").text())
+        self.assertIn("Degree 3, spans 4, vertices 5", input_of(panel, "spine").text())
 
     def test_selection_replaces_the_spine(self):
         feature, panel = self.open_panel(self.spline, "Edge1")
@@ -240,6 +274,24 @@ class PanelTest(GuiTest):
         for text in ("wide", "3 deg", ""):
             self.assertFalse(panel.radii.setData(panel.radii.index(0, 0), text))
         self.assertEqual(feature.Radii, [5, 4, 6.5, 10, 12])
+
+    def test_closed_spine_has_its_first_vertex_once(self):
+        wire = Part.makePolygon([Vector(*point) for point in SQUARE])
+        square = self.document.addObject("Part::Feature", "Square")
+        square.Shape = wire
+        feature, panel = self.open_panel(square)
+        self.assertIn("vertices 4, closed", input_of(panel, "spine").text())
+        feature.Radii = [6, 8]
+        input_of(panel, "RadiusLaw").setCurrentText("Values at vertices")
+        self.assertEqual(panel.radii.rowCount(), 4)
+        wait_for_preview()
+        self.assertEqual(feature.Radii, [6, 6.5, 7, 7.5, 6])
+        self.assertTrue(feature.isValid(), feature.getStatusString())
+        panel.radii.setData(panel.radii.index(0, 0), "12")
+        wait_for_preview()
+        self.assertEqual(feature.Radii, [12, 6.5, 7, 7.5, 12])
+        self.assertTrue(feature.isValid(), feature.getStatusString())
+        main_window.screenshot("closed_spine")
 
     def test_radii_are_shown_in_full_when_edited(self):
         feature, panel = self.open_panel(self.line, "Edge1")
@@ -276,8 +328,9 @@ class PanelTest(GuiTest):
         self.assertIn("color", status.styleSheet())
         self.assertFalse(input_of(panel, "Degree").isEnabled())
         self.assertEqual(poles(feature), good)
+        self.assertFalse(main_window.report_view_is_open())
         main_window.screenshot("error")
-        main_window.click_ok()
+        main_window.confirm(panel)
         self.assertTrue(FreeCADGui.Control.activeDialog())
         main_window.type_text(input_of(panel, "EndRadius"), "2")
         wait_for_preview()
@@ -286,8 +339,8 @@ class PanelTest(GuiTest):
         self.assertTrue(input_of(panel, "Degree").isEnabled())
 
     def test_error_reaches_the_tree(self):
-        feature, _ = self.open_panel(self.line, "Edge1")
-        main_window.click_ok()
+        feature, panel = self.open_panel(self.line, "Edge1")
+        main_window.confirm(panel)
         feature.RadiusLaw = "Linear"
         feature.EndRadius = float(TOO_WIDE)
         self.document.recompute()
@@ -316,5 +369,5 @@ class PanelTest(GuiTest):
         wait_for_preview()
         self.assertTrue(feature.isValid(), feature.getStatusString())
         main_window.screenshot("wall")
-        main_window.click_ok()
+        main_window.confirm(panel)
         main_window.screenshot("wall_in_tree")

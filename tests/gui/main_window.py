@@ -19,10 +19,10 @@ _SETTLING_TIME = 200
 def show():
     """The main window, large enough for tree, task panel and 3D view."""
     window = FreeCADGui.getMainWindow()
-    window.resize(1440, 900)
+    window.setGeometry(0, 0, 1200, 920)
     window.show()
     for log in ("Report view", "Python console"):
-        window.findChild(QtWidgets.QDockWidget, log).hide()
+        _dock(log).hide()
     FreeCADGui.activateWorkbench("PNSurfacesWorkbench")
     settle()
 
@@ -34,6 +34,10 @@ def settle(milliseconds=_SETTLING_TIME):
     loop.exec_()
 
 
+def report_view_is_open():
+    return _dock("Report view").isVisible()
+
+
 def type_text(widget, text):
     """Replaces the text of a widget by typing, key by key."""
     widget.setFocus()
@@ -43,24 +47,20 @@ def type_text(widget, text):
 
 
 def press(widget, key, text=""):
-    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
-        event = QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier, text)
-        QtWidgets.QApplication.sendEvent(widget, event)
+    event = QtGui.QKeyEvent(QtCore.QEvent.KeyPress, key, QtCore.Qt.NoModifier, text)
+    QtWidgets.QApplication.sendEvent(widget, event)
 
 
-def click(button):
-    """Clicks OK or Cancel (QDialogButtonBox.Ok, .Cancel) of the task panel."""
-    boxes = FreeCADGui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
-    next(box for box in boxes if box.isVisible()).button(button).click()
+def confirm(panel):
+    """Enter, which is OK."""
+    press(panel.form[0], QtCore.Qt.Key_Return)
     settle()
 
 
-def click_ok():
-    click(QtWidgets.QDialogButtonBox.Ok)
-
-
-def click_cancel():
-    click(QtWidgets.QDialogButtonBox.Cancel)
+def cancel(panel):
+    """Escape, which is Cancel."""
+    press(panel.form[0], QtCore.Qt.Key_Escape)
+    settle()
 
 
 def double_click_in_tree(label):
@@ -133,6 +133,10 @@ def screenshot(name):
     window.screen().grabWindow(window.winId()).save(str(SCREENSHOTS / f"{name}.png"))
     view = FreeCADGui.activeDocument().activeView()
     view.saveImage(str(SCREENSHOTS / f"{name}_3d.png"), 1200, 800, "White")
+
+
+def _dock(name):
+    return FreeCADGui.getMainWindow().findChild(QtWidgets.QDockWidget, name)
 
 
 def _with_next_dialog(act):

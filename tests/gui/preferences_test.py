@@ -32,10 +32,10 @@ class PreferencesTest(GuiTest):
         self.assertEqual(preferences.distance(), 1.5)
         self.assertEqual(preferences.parameter_lines(), "Lowest degree")
         self.assertEqual(preferences.step_schema(), "AP242")
-        feature, _ = self.open_panel(self.line, "Edge1")
+        feature, panel = self.open_panel(self.line, "Edge1")
         self.assertEqual(feature.Distance.Value, 1.5)
         self.assertEqual(feature.ParameterLines, "Lowest degree")
-        main_window.click_cancel()
+        main_window.cancel(panel)
 
 
 class ExportStepTest(GuiTest):

@@ -14,7 +14,9 @@ from FreeCAD import Vector
 from pnsurfaces.panel import PREVIEW_DELAY
 
 # A curved spine with five vertices, in millimetres.
-POLES = [(0, 0, 0), (20, 25, 0), (40, 25, 20), (65, -5, 30), (90, 5, 10), (110, 40, 5), (125, 55, 15)]
+POLES = [
+    (0, 0, 0), (20, 25, 0), (40, 25, 20), (65, -5, 30), (90, 5, 10), (110, 40, 5), (125, 55, 15)
+]
 KNOTS = [0.0, 0.25, 0.5, 0.75, 1.0]
 MULTIPLICITIES = [4, 1, 1, 1, 4]
 
@@ -86,7 +88,8 @@ class GuiTest(unittest.TestCase):
 
 def spline():
     curve = Part.BSplineCurve()
-    curve.buildFromPolesMultsKnots([Vector(*pole) for pole in POLES], MULTIPLICITIES, KNOTS, False, 3)
+    vectors = [Vector(*pole) for pole in POLES]
+    curve.buildFromPolesMultsKnots(vectors, MULTIPLICITIES, KNOTS, False, 3)
     return curve
 
 

@@ -5,7 +5,7 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 
-from pnsurfaces.compat import QtCore
+from pnsurfaces.compat import QtCore, connect
 from pnsurfaces.kernel import KernelMissing
 from pnsurfaces.panel import TaskPanel, load_form
 from pnsurfaces.radius_law import BEZIER_COEFFICIENTS, INPUTS_OF_LAW, LINEAR, VALUES_AT_VERTICES
@@ -93,10 +93,10 @@ class CanalSurfacePanel(TaskPanel):
         self.radii = RadiiModel()
         self.radii.edited.connect(self._assign_radii)
         self._inputs.radii.setModel(self.radii)
-        self._inputs.use_selection.clicked.connect(self.use_selection)
-        self._inputs.RadiusLaw.currentTextChanged.connect(self._show_radius_law)
-        self._inputs.add_coefficient.clicked.connect(self._add_coefficient)
-        self._inputs.remove_coefficient.clicked.connect(self._remove_coefficient)
+        connect(self._inputs.use_selection, "clicked()", self.use_selection)
+        connect(self._inputs.RadiusLaw, "currentTextChanged(QString)", self._show_radius_law)
+        connect(self._inputs.add_coefficient, "clicked()", self._add_coefficient)
+        connect(self._inputs.remove_coefficient, "clicked()", self._remove_coefficient)
         self._show_spine()
         self._show_radius_law()
 

@@ -50,8 +50,8 @@ class CanalSurfaceCommand:
             )
             return
         document = FreeCAD.ActiveDocument
-        # Persistent: it stays open until the task panel is closed by OK or Cancel.
-        FreeCAD.setActiveTransaction(translate("PNSurfaces", "Canal surface"), True)
+        # It stays open until the task panel is closed by OK or Cancel.
+        document.openTransaction(translate("PNSurfaces", "Canal surface"))
         try:
             FreeCADGui.doCommand("import pnsurfaces")
             FreeCADGui.doCommand(_creation(spine))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The modules of Qt under their own names, whatever the version of FreeCAD calls them."""
+"""Qt under one name in every version of FreeCAD, and without a trap of its Python binding."""
 
 from PySide import QtCore, QtGui
 
@@ -9,4 +9,13 @@ except ImportError:
     # FreeCAD 0.20 keeps the widgets in QtGui.
     QtWidgets = QtGui
 
-__all__ = ["QtCore", "QtGui", "QtWidgets"]
+__all__ = ["QtCore", "QtGui", "QtWidgets", "connect"]
+
+
+def connect(widget, signal, slot):
+    """Connects the signal of a widget, written as in C++: "clicked()".
+
+    Reading it as an attribute (widget.clicked) would keep the Python half of the widget for ever
+    in PySide 5.15 under Python 3.11, to be mistaken for a later widget at the same address.
+    """
+    QtCore.QObject.connect(widget, QtCore.SIGNAL(signal), slot)

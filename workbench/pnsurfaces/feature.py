@@ -138,7 +138,8 @@ class FeatureBase:
         sections = [surface.offset(distance) for distance in distances]
         lines = PARAMETER_LINES[obj.ParameterLines]
         faces = [section.bsplines(lines=lines) for section in sections]
-        return OUTPUTS[obj.Output](faces), _results(surface, sections, faces)
+        certificates = [section.certificate_of(lines) for section in sections]
+        return OUTPUTS[obj.Output](faces), _results(surface, sections, faces, certificates)
 
     def _restore_digits(self, obj):
         """Replaces a shape that lost digits in the file by the exact one, and no other shape."""
@@ -172,9 +173,8 @@ class FeatureBase:
         obj.SchemaVersion = self.schema_version
 
 
-def _results(surface, sections, faces):
+def _results(surface, sections, faces, certificates):
     """The values of the result properties, by name."""
-    certificates = [section.certificate for section in sections]
     notes = [note for certificate in certificates for note in certificate.notes]
     every_face = [face for section_faces in faces for face in section_faces]
     bound = _rounded_up(max(certificate.deviation for certificate in certificates))

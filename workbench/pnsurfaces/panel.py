@@ -8,7 +8,7 @@ import FreeCAD
 import FreeCADGui
 
 from pnsurfaces import resources
-from pnsurfaces.compat import QtCore, QtGui, QtWidgets
+from pnsurfaces.compat import QtCore, QtGui, QtWidgets, connect
 
 translate = FreeCAD.Qt.translate
 
@@ -58,7 +58,7 @@ class TaskPanel:
         self._was_touched = "Touched" in feature.State
         self._before = {}
         self._timer = QtCore.QTimer(singleShot=True, interval=PREVIEW_DELAY)
-        self._timer.timeout.connect(self.preview)
+        connect(self._timer, "timeout()", self.preview)
         self._open_transaction()
         icon = QtGui.QIcon(feature.ViewObject.Proxy.getIcon())
         for form in self.form:
@@ -91,11 +91,9 @@ class TaskPanel:
         self._result.status.setText(status)
         self._result.status.setStyleSheet(_STYLES.get(kind, ""))
         self._result.values.setEnabled(valid)
-        for label in self._result.findChildren(QtWidgets.QLabel):
+        for label in self._result.values.findChildren(QtWidgets.QLabel):
             if label.objectName() in self.feature.PropertiesList:
-                text = _display(getattr(self.feature, label.objectName()))
-                label.setText(text)
-                label.setVisible(bool(text))
+                label.setText(_display(getattr(self.feature, label.objectName())))
         self._result.regular_range.setText(
             _range(self.feature.MinOffset.Value, self.feature.MaxOffset.Value)
         )
@@ -132,8 +130,7 @@ class TaskPanel:
         # The command that creates a surface has opened its own.
         if not self._document.HasPendingTransaction:
             name = translate("PNSurfaces", "Edit {}").format(self.feature.Label)
-            # Persistent, because the double-click in the tree ends its transaction at once.
-            FreeCAD.setActiveTransaction(name, True)
+            self._document.openTransaction(name)
 
     def _bind(self, form):
         for widget in form.findChildren(QtWidgets.QWidget):
@@ -141,6 +138,8 @@ class TaskPanel:
             if name not in self.feature.PropertiesList:
                 continue
             self.record(name)
+            documentation = self.feature.getDocumentationOfProperty(name)
+            widget.setToolTip(translate("App::Property", documentation))
             if isinstance(widget, QtWidgets.QComboBox):
                 self._bind_enumeration(widget, name)
             else:
@@ -149,13 +148,13 @@ class TaskPanel:
     def _bind_enumeration(self, combo_box, name):
         combo_box.addItems(self.feature.getEnumerationsOfProperty(name))
         combo_box.setCurrentText(getattr(self.feature, name))
-        combo_box.currentTextChanged.connect(lambda text: self.assign(name, text))
+        connect(combo_box, "currentTextChanged(QString)", lambda text: self.assign(name, text))
 
     def _bind_quantity(self, spin_box, name):
         FreeCADGui.ExpressionBinding(spin_box).bind(self.feature, name)
         # The box rounds what it is given: it may not write that back, so it is filled first.
         spin_box.setProperty("value", getattr(self.feature, name))
-        spin_box.valueChanged.connect(lambda quantity: self.assign(name, quantity))
+        connect(spin_box, "valueChanged(double)", lambda value: self.assign(name, value))
 
     def _restore_state(self):
         if not self.feature.isValid():
@@ -195,7 +194,7 @@ def literal(value):
 def _display(value):
     if isinstance(value, bool):
         return translate("PNSurfaces", "Yes") if value else translate("PNSurfaces", "No")
-    return "\n".join(value) if isinstance(value, list) else str(value)
+    return str(value)
 
 
 def _range(low, high):

@@ -23,6 +23,8 @@ class ViewProviderPNSurface:
 
     def __init__(self, view_object):
         view_object.Proxy = self
+        # FreeCAD does so itself, but not where it read the object from a file without its view.
+        self.attach(view_object)
         view_object.Deviation = _DEVIATION
         view_object.AngularDeflection = _ANGULAR_DEFLECTION
 

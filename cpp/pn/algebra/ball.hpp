@@ -22,12 +22,12 @@ namespace pn {
 class RealBall {
  public:
   /// An exact number needs no precision of its own; the floor keeps operations among them sensible.
-  static constexpr long kLeastPrecision = 64;
+  static constexpr long kFloor = 64;
 
   RealBall() { arb_init(value_); }
-  RealBall(long exact) : RealBall() { arb_set_si(value_, exact); }   // NOLINT: Z lies in R
-  RealBall(double exact) : RealBall() { arb_set_d(value_, exact); }  // NOLINT: so do doubles
-  RealBall(int exact) : RealBall(static_cast<long>(exact)) {}        // NOLINT
+  RealBall(long exact) : RealBall() { arb_set_si(value_, exact); }
+  RealBall(double exact) : RealBall() { arb_set_d(value_, exact); }
+  RealBall(int exact) : RealBall(static_cast<long>(exact)) {}
   RealBall(const Rational& x, long precision) : precision_(precision) {
     arb_init(value_);
     arb_set_fmpq(value_, x.flint(), precision);
@@ -144,7 +144,7 @@ class RealBall {
  private:
   friend class ComplexBall;
   arb_t value_;
-  long precision_ = kLeastPrecision;
+  long precision_ = kFloor;
 };
 
 /// The non-negative square root; a ball that reaches below zero gives the roots of its other
@@ -157,11 +157,11 @@ RealBall scaled(const RealBall& x, long exponent);
 class ComplexBall {
  public:
   ComplexBall() { acb_init(value_); }
-  ComplexBall(const RealBall& real) : precision_(real.precision_) {  // NOLINT: R lies in C
+  ComplexBall(const RealBall& real) : precision_(real.precision_) {
     acb_init(value_);
     arb_set(acb_realref(value_), real.value_);
   }
-  ComplexBall(double exact) : ComplexBall(RealBall(exact)) {}  // NOLINT
+  ComplexBall(double exact) : ComplexBall(RealBall(exact)) {}
   ComplexBall(const RealBall& real, const RealBall& imaginary)
       : precision_(std::max(real.precision_, imaginary.precision_)) {
     acb_init(value_);
@@ -259,7 +259,7 @@ class ComplexBall {
 
  private:
   acb_t value_;
-  long precision_ = RealBall::kLeastPrecision;
+  long precision_ = RealBall::kFloor;
 };
 
 /// The principal square root.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <cstddef>
 #include <exception>
@@ -16,13 +17,15 @@ template <class Work>
 void for_each_index(std::size_t count, Work&& work) {
   if (count == 1) return work(std::size_t{0});
   std::vector<std::exception_ptr> errors(count);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+  const auto guarded = [&](std::size_t i) {
     try {
       work(i);
     } catch (...) {
       errors[i] = std::current_exception();
     }
-  });
+  };
+  // Isolated, so that a thread that waits here does not take up foreign work, perhaps under a lock.
+  tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, count, guarded); });
   for (const std::exception_ptr& error : errors) {
     if (error) std::rethrow_exception(error);
   }

@@ -22,7 +22,7 @@ auto at_sufficient_precision(Construct&& construct, long bits = kLeastPrecision)
     try {
       return construct(bits);
     } catch (const Undecided& undecided) {
-      if (bits < kMostPrecision) continue;
+      if (2 * bits <= kMostPrecision) continue;
       throw GeometryError(ErrorCode::kPrecisionExhausted,
                           std::string("With ") + std::to_string(bits) +
                               " bits it could not be decided: " + undecided.what());

@@ -12,9 +12,7 @@ namespace pn {
 class Rational {
  public:
   Rational() { fmpq_init(value_); }
-  Rational(long integer) : Rational() {
-    fmpq_set_si(value_, integer, 1);
-  }  // NOLINT: a number is a number
+  Rational(long integer) : Rational() { fmpq_set_si(value_, integer, 1); }
   Rational(const Rational& other) : Rational() { fmpq_set(value_, other.value_); }
   Rational(Rational&& other) noexcept : Rational() { fmpq_swap(value_, other.value_); }
   Rational& operator=(Rational other) noexcept {

@@ -15,9 +15,8 @@ namespace pn {
 class RationalPolynomial {
  public:
   RationalPolynomial() { fmpq_poly_init(value_); }
-  RationalPolynomial(const Rational& constant);  // NOLINT: Q lies in Q[t]
-  RationalPolynomial(long constant)
-      : RationalPolynomial(Rational(constant)) {}  // NOLINT: so does Z
+  RationalPolynomial(const Rational& constant);
+  RationalPolynomial(long constant) : RationalPolynomial(Rational(constant)) {}
   /// Coefficients in ascending order.
   explicit RationalPolynomial(const std::vector<Rational>& coefficients);
   RationalPolynomial(const RationalPolynomial& other) : RationalPolynomial() {

@@ -179,8 +179,9 @@ RootSet isolate_roots(const RationalPolynomial& p, long precision) {
   if (p.degree() < 1) return {};
   std::optional<RootSet> simple = isolated_from_approximations(p, precision);
   RootSet roots = simple ? std::move(*simple) : isolated_by_factors(p, precision);
-  std::sort(roots.real.begin(), roots.real.end(),
-            [](const RealRoot& a, const RealRoot& b) { return (b.value - a.value).is_positive(); });
+  std::sort(roots.real.begin(), roots.real.end(), [](const RealRoot& a, const RealRoot& b) {
+    return a.value.midpoint() < b.value.midpoint();
+  });
   return roots;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Certified roots of polynomials over Q.
 //
-// Contract: every root is enclosed in a ball that contains no other root of the polynomial, and its
-// multiplicity and realness are proved. A real root is a real ball; nonreal roots come in conjugate
-// pairs and the one in the upper half plane stands for both.
+// Contract: every root is enclosed in a ball that contains no other root of the same squarefree
+// factor, and its multiplicity and realness are proved. A real root is a real ball; nonreal roots
+// come in conjugate pairs and the one in the upper half plane stands for both.
 //
 // Method: approximations from simultaneous iteration are validated by an inclusion test (E. Durand,
 // I. Kerner; the test is Arb's, radius n |p / p'|). Pairwise disjoint inclusions prove at once that

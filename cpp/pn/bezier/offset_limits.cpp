@@ -19,6 +19,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr long kFirstBits = 192;
 /// With each precision the distance may back off from the least sample by so many tolerances.
 constexpr double kMostTolerances = 8;
+/// And so many distances are tried.
+constexpr int kMostTries = 100;
 /// Intervals are halved this often before a distance counts as not provable.
 constexpr int kMostHalvings = 40;
 /// And a proof that takes more intervals than this lacks precision.
@@ -221,16 +223,23 @@ double proved_limit(const std::vector<SomeLimit>& limits, double tolerance, doub
   for_each_index(limits.size(), [&](std::size_t i) { samples[i] = least_sample(limits[i]); });
   double least = *std::min_element(samples.begin(), samples.end());
   least = std::min(least, kFarthest * tolerance);
-  for (double margin = tolerance; margin <= kMostTolerances * tolerance; margin *= 2) {
+  double margin = tolerance;
+  for (int tries = 0; tries < kMostTries && margin <= kMostTolerances * tolerance; ++tries) {
     const double distance = least - margin;
     if (distance <= least_useful) return least_useful;
     std::vector<Verdict> verdicts(limits.size());
     for_each_index(limits.size(),
                    [&](std::size_t i) { verdicts[i] = verdict(limits[i], distance); });
-    if (std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.proved; })) {
-      return distance;
+    double smaller = kInfinity;
+    bool proved = true;
+    for (const Verdict& v : verdicts) {
+      smaller = std::min(smaller, v.least_sample);
+      proved = proved && v.proved;
     }
-    for (const Verdict& v : verdicts) least = std::min(least, v.least_sample);
+    if (proved) return distance;
+    // A smaller sample is a new place to start from; without one the proof lacks room.
+    margin = smaller < least ? tolerance : 2 * margin;
+    least = std::min(least, smaller);
   }
   throw Undecided("the limit of the offsets");
 }
@@ -241,6 +250,19 @@ bool turns_back(const ChainLink& link) {
   RationalPolynomial inside = link.content;
   for (const long end : {0L, 1L}) inside = inside.without_root(Rational(end));
   return !roots_in_unit_interval(inside).empty();
+}
+
+OffsetRange range_at_precision(const EnvelopeChain& chain, double tolerance, long bits) {
+  std::vector<RadiusLimit> radii;
+  std::vector<FocalLimit> focal;
+  for (const ChainLink& link : chain.links) {
+    radii.emplace_back(link.envelope.curve(), bits);
+    if (link.stands_still()) continue;
+    FocalLimit limit(link, bits);
+    if (!limit.is_unlimited()) focal.push_back(std::move(limit));
+  }
+  const double lower = -proved_limit(radii, tolerance, -kInfinity);
+  return {lower, focal.empty() ? kInfinity : proved_limit(focal, tolerance, lower)};
 }
 
 /// The distance between the ends of a link's spine.
@@ -259,21 +281,12 @@ double chord(const ChainLink& link) {
 
 OffsetRange regular_range(const EnvelopeChain& chain, double tolerance) {
   if (std::any_of(chain.links.begin(), chain.links.end(), turns_back)) return {0, 0};
-  return at_sufficient_precision(
-      [&](long bits) {
-        std::vector<RadiusLimit> radii;
-        std::vector<FocalLimit> focal;
-        for (const ChainLink& link : chain.links) {
-          radii.emplace_back(link.envelope.curve(), bits);
-          if (link.stands_still()) continue;
-          FocalLimit limit(link, bits);
-          if (!limit.is_unlimited()) focal.push_back(std::move(limit));
-        }
-        const double lower = -proved_limit(radii, tolerance, -kInfinity);
-        const double upper = focal.empty() ? kInfinity : proved_limit(focal, tolerance, lower);
-        return OffsetRange{lower, upper};
-      },
-      kFirstBits);
+  try {
+    return at_sufficient_precision(
+        [&](long bits) { return range_at_precision(chain, tolerance, bits); }, kFirstBits);
+  } catch (const GeometryError&) {
+    return {0, 0};  // What cannot be proved is not claimed: the empty range is certain.
+  }
 }
 
 double default_tolerance(const EnvelopeChain& chain) {

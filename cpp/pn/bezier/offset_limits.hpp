@@ -24,7 +24,7 @@
 // coefficients.
 //
 // Where the spine stands still, at a corner, only rho = 0 counts: the zone lies on a sphere. Where
-// it turns back inside a span (lambda changes sign) no distance is regular.
+// it turns back inside a span (lambda changes sign) no distance is claimed to be regular.
 #pragma once
 
 #include "pn/isotropic/envelope_chain.hpp"
@@ -36,8 +36,8 @@ struct OffsetRange {
   double lower, upper;  ///< upper may be infinite
 };
 
-/// The certified range: it lies inside the true one. Its ends are within `tolerance` [mm] of it, up
-/// to the rounding of the limits themselves.
+/// The certified range: it lies inside the true one. Its ends are within a few times `tolerance`
+/// [mm] of it, except next to a cusp of the spine; the empty range where nothing can be proved.
 OffsetRange regular_range(const EnvelopeChain& chain, double tolerance);
 
 /// A tolerance in proportion to the surface: 1e-9 of the largest radius or chord of a link.

@@ -115,7 +115,8 @@ class FactorSequence {
       parts_[i] = {
           {end_value(spinors[i], 0), end_value(spinors[i], 1)},
           {even_end(seam, segment, segment.left()), even_end(seam, segment, segment.right())},
-          short_doubles<T>(seam.even(segment.link, segment.middle()))};
+          short_doubles<T>(seam.even(segment.link, segment.middle())),
+          spinors[i].degree[0] == 0};
     });
   }
 
@@ -153,6 +154,8 @@ class FactorSequence {
     const int degree = std::min(smooth_left || smooth_right ? 3 : 2, segment.lines_degree);
     // Lines that cannot turn are even in the middle, or where those before them end.
     if (degree == 0) return constant_line(i > 0 ? left.value : part.middle);
+    // On a cylinder or cone what is even at one end is even everywhere.
+    if (part.is_constant && !smooth_left && !closes) return constant_line(left.value);
 
     LineEnd<T> right = part.even[1];
     if (closes) {
@@ -170,6 +173,7 @@ class FactorSequence {
     std::array<EndValue<C>, 2> ends;
     std::array<LineEnd<T>, 2> even;
     Matrix<T> middle;
+    bool is_constant;
   };
 
   /// The even factor of a segment's link at t, as short doubles; its slope in the segment's
@@ -371,9 +375,17 @@ class Planner {
 }  // namespace
 
 std::vector<CircleColumns> circle_columns(Lines lines, int arcs) {
-  if (lines == Lines::kEven) return {whole_circle(arcs)};
   std::vector<CircleColumns> columns;
-  for (int i = 0; i < arcs; ++i) columns.push_back(circle_arc(i, arcs));
+  if (lines == Lines::kEven) {
+    columns.push_back(whole_circle(arcs));
+  } else {
+    for (int i = 0; i < arcs; ++i) columns.push_back(circle_arc(i, arcs));
+  }
+  // A power of two, so the knots stay exact and evenly spaced.
+  const double scale = static_cast<double>(kLeastArcs) / arcs;
+  for (CircleColumns& column : columns) {
+    for (double& knot : column.knots) knot *= scale;
+  }
   return columns;
 }
 

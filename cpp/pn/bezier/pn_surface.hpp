@@ -45,7 +45,10 @@ class PNSurface {
   /// Throws GeometryError: no positive weights, degree above 25, or precision exhausted.
   std::vector<BSplineSurface> faces(Lines lines) const;
   Certificate certificate(Lines lines) const;
-  /// Points and normals of the even faces at parameter t of the spine and v in [0, 4] around it.
+  /// Points and normals of the even faces at their parameters, t along and v in [0, 4] around. Face
+  /// by face t runs over the spine's parameters; in between it is the spine's own one, except where
+  /// the radius changes so quickly that D has odd real roots. Zones at corners have no parameter on
+  /// the spine.
   std::vector<SurfacePoint> evaluate(const std::vector<double>& t,
                                      const std::vector<double>& v) const;
 

@@ -123,10 +123,10 @@ std::vector<Span> spans_of(const Curve& spine, const Law& law) {
   const PiecewiseRational<1> radius = law.over(curve.breaks.front(), curve.breaks.back());
   const std::vector<Rational> breaks = united_breaks(curve.breaks, radius.breaks);
   std::vector<RestrictedSpan> parts(breaks.size() - 1);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
+  for_each_index(parts.size(), [&](std::size_t i) {
     parts[i] = {restricted(curve, breaks[i], breaks[i + 1]),
                 restricted(radius, breaks[i], breaks[i + 1])};
-  }
+  });
   const bool same_weights = std::all_of(parts.begin(), parts.end(), [](const RestrictedSpan& part) {
     return part.spine.denominator == part.law.denominator;
   });
@@ -419,10 +419,10 @@ class ChainBuilder {
 
 EnvelopeChain canal_surface(const Curve& spine, const Law& radius) {
   std::vector<Span> spans = spans_of(spine, radius);
-  for (const Span& span : spans) {
-    require_radius(span);
-    require_envelope(span);
-  }
+  for_each_index(spans.size(), [&](std::size_t i) {
+    require_radius(spans[i]);
+    require_envelope(spans[i]);
+  });
   return ChainBuilder(oriented(std::move(spans))).chain();
 }
 

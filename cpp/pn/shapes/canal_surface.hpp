@@ -2,10 +2,12 @@
 // Canal surfaces: the envelope of spheres of radius r(t) that move along a spine m(t).
 //
 // THEOREM. For rational m and r with |r'| < |m'| the canal surface x = m + r n and all its offsets
-// x + d n = m + (r + d) n are rational, with the same unit normal n, n.m' + r' = 0. For polynomial
-// m and r of degree k their bidegree is (k + 2 ceil((k-1)/2), 2), for rational ones (3k - 2, 2).
-// (M. Peternell, H. Pottmann, Computing rational parametrizations of canal surfaces, J. Symb. Comp.
-// 23, 1997; the degrees are those of the spinor factorization.)
+// x + d n = m + (r + d) n are rational, with the same unit normal n, n.m' + r' = 0. If D = |m'|^2 -
+// r'^2 has no real root, at infinity neither, the bidegree is (k + 2 ceil((k-1)/2), 2) for
+// polynomial m and r of degree k, (3k - 2, 2) for rational ones with the same denominator. Odd real
+// roots of D outside the span double the degree of the parameter (odd_root_substitution.hpp). (M.
+// Peternell, H. Pottmann, Computing rational parametrizations of canal surfaces, J. Symb. Comp. 23,
+// 1997; the degrees are those of the spinor factorization.)
 //
 // Orientation: n points away from the spine; d > 0 makes the pipe thicker. The surface touches the
 // sphere of parameter t along a circle. Straight spines with linear radius give cones and

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "pn/algebra/bernstein.hpp"
+#include "pn/algebra/parallel.hpp"
 #include "pn/geometry_error.hpp"
 
 namespace pn {
@@ -175,17 +176,19 @@ PiecewiseRational<Dimension> piecewise(const BSplineData<Dimension>& data) {
       homogeneous[c].push_back(Rational::exactly(data.poles[i][c]) * weights[i]);
     }
   }
-  std::size_t last = 0;
-  for (std::size_t span = 0; span + 1 < data.knots.size(); ++span) {
-    last = span == 0 ? degree : last + static_cast<std::size_t>(data.multiplicities[span]);
-    RationalSpan<Dimension> result;
+  std::vector<std::size_t> last = {degree};  // the last of the knots at the start of each span
+  for (std::size_t span = 1; span + 1 < data.knots.size(); ++span) {
+    last.push_back(last.back() + static_cast<std::size_t>(data.multiplicities[span]));
+  }
+  function.spans.resize(last.size());
+  for_each_index(last.size(), [&](std::size_t span) {
+    RationalSpan<Dimension>& result = function.spans[span];
     for (std::size_t c = 0; c < Dimension; ++c) {
-      result.numerator[c] = span_polynomial(flat, last, degree, homogeneous[c]);
+      result.numerator[c] = span_polynomial(flat, last[span], degree, homogeneous[c]);
     }
     result.denominator = data.weights.empty() ? RationalPolynomial(1L)
-                                              : span_polynomial(flat, last, degree, weights);
-    function.spans.push_back(std::move(result));
-  }
+                                              : span_polynomial(flat, last[span], degree, weights);
+  });
   require_continuous(function);
   return function;
 }
