@@ -3,7 +3,6 @@
 
 import pathlib
 
-import FreeCAD
 import FreeCADGui
 
 from pnsurfaces.compat import QtCore, QtGui, QtWidgets

@@ -128,8 +128,8 @@ class Offsets(CanalSurfaceTest):
         self.assertLessEqual(obj.MinOffset.Value, -1)
         self.assertAlmostEqual(obj.MaxOffset.Value, CIRCLE_RADIUS - 2, delta=1e-5)
         for distance, sentence in (
-            (20, "^Warning: At 20 mm, above the limit of 1[78]"),
-            (-3, "^Warning: At -3 mm, below the limit of -(2|1.9)"),
+            (20, "^Warning: At 20 mm, beyond the limit of 1[78]"),
+            (-3, "^Warning: At -3 mm, beyond the limit of -(2|1.9)"),
         ):
             obj.Distance = distance
             self.document.recompute()

@@ -127,6 +127,7 @@ class FeatureBase:
     def onDocumentRestored(self, obj):
         """Adds the properties that the saving program did not know, and the digits it cut."""
         self._add_missing_properties(obj)
+        _restore_view_provider(obj)
         if obj.Deviation:
             obj.DeviationBound = float(obj.Deviation.removesuffix(" mm"))
         self._restore_digits(obj)
@@ -173,6 +174,16 @@ class FeatureBase:
         obj.SchemaVersion = self.schema_version
 
 
+def _restore_view_provider(obj):
+    """A document saved without FreeCAD's window knows no view provider, so no panel either."""
+    if not FreeCAD.GuiUp:
+        return
+    from pnsurfaces.view_provider import ViewProviderPNSurface
+
+    if not isinstance(obj.ViewObject.Proxy, ViewProviderPNSurface):
+        ViewProviderPNSurface(obj.ViewObject)
+
+
 def _results(surface, sections, faces, certificates):
     """The values of the result properties, by name."""
     notes = [note for certificate in certificates for note in certificate.notes]
@@ -200,11 +211,9 @@ def _irregularities(distances, low, high):
     """A sentence for each distance at which the surface has singular points."""
     if low >= high:
         return ["The surface has singular points at every distance."]
-    below = [f"At {d:.6g} mm, below the limit of {low:.6g} mm, the surface has singular points."
-             for d in distances if d < low]
-    above = [f"At {d:.6g} mm, above the limit of {high:.6g} mm, the surface has singular points."
-             for d in distances if d > high]
-    return below + above
+    limits = [(d, low if d <= low else high) for d in distances if not low < d < high]
+    return [f"At {d:.6g} mm, beyond the limit of {limit:.6g} mm, the surface has singular points."
+            for d, limit in limits]
 
 
 def _rounded_up(bound):
