@@ -26,3 +26,11 @@ TEST_CASE("The error of the least index is thrown, whatever the threads did firs
     }
   }
 }
+
+TEST_CASE("Blocks leave no index out, and none twice") {
+  for (const std::size_t count : {0u, 1u, 31u, 32u, 33u, 1000u}) {
+    std::vector<int> visits(count, 0);
+    pn::for_each_index_in_blocks(count, 32, [&](std::size_t i) { ++visits[i]; });
+    CHECK(visits == std::vector<int>(count, 1));
+  }
+}

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <vector>
@@ -29,6 +30,14 @@ void for_each_index(std::size_t count, Work&& work) {
   for (const std::exception_ptr& error : errors) {
     if (error) std::rethrow_exception(error);
   }
+}
+
+/// The same for work so small that it takes `block` of it to be worth another thread.
+template <class Work>
+void for_each_index_in_blocks(std::size_t count, std::size_t block, Work&& work) {
+  for_each_index((count + block - 1) / block, [&](std::size_t b) {
+    for (std::size_t i = b * block; i < std::min(count, (b + 1) * block); ++i) work(i);
+  });
 }
 
 }  // namespace pn

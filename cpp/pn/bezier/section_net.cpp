@@ -13,6 +13,9 @@
 namespace pn {
 namespace {
 
+/// A row of control points takes about ten microseconds, as long as to wake another thread.
+constexpr std::size_t kRowsPerTask = 32;
+
 /// The rows of a segment at a common degree: Bernstein coefficients of q00, q01, q11 in each row.
 struct SegmentRows {
   std::array<std::array<std::vector<RealBall>, 3>, 7> component;  ///< [x y z, V1 V2 V3, w][q][row]
@@ -150,7 +153,7 @@ FaceNet face_net(const Strip& strip, const Run& run, const CircleColumns& circle
   const bool closed = circle.coefficients.front() == circle.coefficients.back();
   const std::size_t count = columns.size();
   face.poles.resize(places.size() * count);
-  for_each_index(places.size(), [&](std::size_t i) {
+  for_each_index_in_blocks(places.size(), kRowsPerTask, [&](std::size_t i) {
     NetPole* const row = &face.poles[i * count];
     for (std::size_t j = 0; j < count; ++j) {
       const bool repeats = closed && j + 1 == count;
@@ -301,7 +304,7 @@ RoundedFace rounded(const FaceNet& face, double exact_distance) {
   const double size = estimated_size(face, exact_distance);
   surface.poles.resize(face.poles.size());
   surface.weights.resize(face.poles.size());
-  for_each_index(rows, [&](std::size_t row) {
+  for_each_index_in_blocks(rows, kRowsPerTask, [&](std::size_t row) {
     for (std::size_t i = row * columns; i < (row + 1) * columns; ++i) {
       const auto pole = pole_at(face.poles[i], distance);
       for (std::size_t c = 0; c < 3; ++c) surface.poles[i][c] = rounded_coordinate(pole[c], size);
