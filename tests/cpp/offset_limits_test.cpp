@@ -4,10 +4,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "circle_spine.hpp"
 #include "enclosures.hpp"
 #include "pn/shapes/canal_surface.hpp"
 
 using namespace pn;
+using namespace pn::test;
 
 namespace {
 
@@ -26,23 +28,6 @@ void check_range(const OffsetRange& found, double lower, double upper) {
     CHECK(found.upper <= upper);
     CHECK(found.upper >= upper - 1e-6);
   }
-}
-
-Curve circle(double radius) {
-  const double r = radius;
-  return Curve::bspline({2,
-                         {0, 1, 2, 3, 4},
-                         {3, 2, 2, 2, 3},
-                         {{r, 0, 0},
-                          {r, r, 0},
-                          {0, r, 0},
-                          {-r, r, 0},
-                          {-r, 0, 0},
-                          {-r, -r, 0},
-                          {0, -r, 0},
-                          {r, -r, 0},
-                          {r, 0, 0}},
-                         {1, 1, 2, 1, 1, 1, 2, 1, 1}});
 }
 
 }  // namespace

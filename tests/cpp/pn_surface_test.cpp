@@ -5,6 +5,7 @@
 #include <cmath>
 #include <thread>
 
+#include "circle_spine.hpp"
 #include "error_code.hpp"
 #include "pn/bezier/evaluation.hpp"
 #include "pn/shapes/canal_surface.hpp"
@@ -18,22 +19,6 @@ using Point = std::array<double, 3>;
 
 const Curve kLine = Curve::bezier({{0, 0, 0}, {4, 0, 0}});
 const Curve kCubic = Curve::bezier({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {2, 2, 1}});
-
-Curve circle(double r) {
-  return Curve::bspline({2,
-                         {0, 1, 2, 3, 4},
-                         {3, 2, 2, 2, 3},
-                         {{r, 0, 0},
-                          {r, r, 0},
-                          {0, r, 0},
-                          {-r, r, 0},
-                          {-r, 0, 0},
-                          {-r, -r, 0},
-                          {0, -r, 0},
-                          {r, -r, 0},
-                          {r, 0, 0}},
-                         {1, 1, 2, 1, 1, 1, 2, 1, 1}});
-}
 
 /// Parameters over the spine's domain [0, end] and once around.
 std::vector<SurfacePoint> samples(const PNSurface& surface, double end) {
