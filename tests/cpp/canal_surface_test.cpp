@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "circle_spine.hpp"
 #include "error_code.hpp"
 #include "pn/bezier/pn_surface.hpp"
 
@@ -27,23 +28,6 @@ Curve polyline(const std::vector<Point>& points) {
 
 /// An exact quarter of the unit circle from (1, 0, 0) to (0, 1, 0).
 Curve quarter() { return Curve::bezier({{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {1, 1, 2}); }
-
-/// The unit circle in four exact quarters.
-Curve circle() {
-  return Curve::bspline({2,
-                         {0, 1, 2, 3, 4},
-                         {3, 2, 2, 2, 3},
-                         {{1, 0, 0},
-                          {1, 1, 0},
-                          {0, 1, 0},
-                          {-1, 1, 0},
-                          {-1, 0, 0},
-                          {-1, -1, 0},
-                          {0, -1, 0},
-                          {1, -1, 0},
-                          {1, 0, 0}},
-                         {1, 1, 2, 1, 1, 1, 2, 1, 1}});
-}
 
 std::vector<Joint> joints(const EnvelopeChain& chain) {
   std::vector<Joint> result;
@@ -109,7 +93,7 @@ TEST_CASE("A kink of the radius law gets a zone too", "[canal_surface]") {
 }
 
 TEST_CASE("Closed spines close: smoothly, or with a corner", "[canal_surface]") {
-  const auto torus = canal_surface(circle(), Law::constant(0.25));
+  const auto torus = canal_surface(circle(1), Law::constant(0.25));
   CHECK(torus.closed);
   CHECK(torus.links.size() == 4);
   for (const Joint joint : joints(torus)) CHECK(joint != Joint::kNone);
@@ -124,7 +108,8 @@ TEST_CASE("Closed spines close: smoothly, or with a corner", "[canal_surface]") 
                        triangle.links.front().envelope.circles(), 0));
 
   // The same place with another radius is no closed chain.
-  const auto open = canal_surface(circle(), Law::bspline({1, {0, 4}, {2, 2}, {{0.25}, {0.5}}, {}}));
+  const auto open =
+      canal_surface(circle(1), Law::bspline({1, {0, 4}, {2, 2}, {{0.25}, {0.5}}, {}}));
   CHECK_FALSE(open.closed);
   CHECK(open.links.front().joint_before == Joint::kNone);
 }

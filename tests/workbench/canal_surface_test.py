@@ -136,6 +136,14 @@ class Offsets(CanalSurfaceTest):
             self.assertTrue(obj.isValid(), obj.getStatusString())
             self.assertRegex(obj.Status, sentence)
 
+    def test_a_spine_that_starts_at_rest_has_no_regular_distance(self):
+        curve = Part.BezierCurve()
+        curve.setPoles([Vector(), Vector(), Vector(5, 5, 0), Vector(10, 0, 3)])
+        obj = make_canal_surface(self.shape_object(curve.toShape()), 0.5)
+        self.assert_valid(obj)
+        self.assertGreaterEqual(obj.MinOffset, obj.MaxOffset)
+        self.assertIn("No distance is proved", obj.Status)
+
     def test_results_are_those_of_the_kernel(self):
         pn = kernel.pnkernel()
         obj = make_canal_surface(self.spline_object(), 2, 0.5)

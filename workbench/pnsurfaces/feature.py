@@ -210,7 +210,7 @@ def _results(surface, sections, faces, certificates):
 def _irregularities(distances, low, high):
     """A sentence for each distance at which the surface has singular points."""
     if low >= high:
-        return ["The surface has singular points at every distance."]
+        return ["No distance is proved to be free of singular points."]
     limits = [(d, low if d <= low else high) for d in distances if not low < d < high]
     return [f"At {d:.6g} mm, beyond the limit of {limit:.6g} mm, the surface has singular points."
             for d, limit in limits]

@@ -25,31 +25,27 @@ RealBall RealBall::at_precision(long bits) const {
   return result;
 }
 
-double RealBall::lower() const {
+namespace {
+
+/// The double at or beyond a bound that one of Arb's functions gives for a ball.
+template <class Bound>
+double rounded_bound(Bound bound_of, const RealBall& x, arf_rnd_t direction) {
   arf_t bound;
   arf_init(bound);
-  arb_get_lbound_arf(bound, value_, precision_);
-  const double result = arf_get_d(bound, ARF_RND_FLOOR);
+  bound_of(bound, x.arb(), x.precision());
+  const double result = arf_get_d(bound, direction);
   arf_clear(bound);
   return result;
 }
 
-double RealBall::upper() const {
-  arf_t bound;
-  arf_init(bound);
-  arb_get_ubound_arf(bound, value_, precision_);
-  const double result = arf_get_d(bound, ARF_RND_CEIL);
-  arf_clear(bound);
-  return result;
-}
+}  // namespace
+
+double RealBall::lower() const { return rounded_bound(arb_get_lbound_arf, *this, ARF_RND_FLOOR); }
+
+double RealBall::upper() const { return rounded_bound(arb_get_ubound_arf, *this, ARF_RND_CEIL); }
 
 double RealBall::magnitude_upper() const {
-  arf_t bound;
-  arf_init(bound);
-  arb_get_abs_ubound_arf(bound, value_, precision_);
-  const double result = arf_get_d(bound, ARF_RND_CEIL);
-  arf_clear(bound);
-  return result;
+  return rounded_bound(arb_get_abs_ubound_arf, *this, ARF_RND_CEIL);
 }
 
 std::optional<double> RealBall::rounded() const {

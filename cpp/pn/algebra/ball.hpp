@@ -131,7 +131,7 @@ class RealBall {
   /// Doubles that bound the numbers of the ball from below and above.
   double lower() const;
   double upper() const;
-  /// The numbers of the ball nearest to and farthest from zero bound |x| by doubles.
+  /// A double that no |x| of the ball exceeds.
   double magnitude_upper() const;
 
   /// The double nearest to the midpoint when every number of the ball is within one unit in its

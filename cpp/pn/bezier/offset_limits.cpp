@@ -284,7 +284,8 @@ OffsetRange regular_range(const EnvelopeChain& chain, double tolerance) {
   try {
     return at_sufficient_precision(
         [&](long bits) { return range_at_precision(chain, tolerance, bits); }, kFirstBits);
-  } catch (const GeometryError&) {
+  } catch (const GeometryError& error) {
+    if (error.code() != ErrorCode::kPrecisionExhausted) throw;
     return {0, 0};  // What cannot be proved is not claimed: the empty range is certain.
   }
 }

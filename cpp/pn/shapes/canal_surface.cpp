@@ -79,7 +79,7 @@ std::optional<Interval> first_negative_interval(const RationalPolynomial& p,
   return std::nullopt;
 }
 
-/// The Bezier spans of spine and law over their common breaks.
+/// The part of a function over [begin, end], which lies within one of its spans.
 template <std::size_t Dimension>
 RationalSpan<Dimension> restricted(const PiecewiseRational<Dimension>& function,
                                    const Rational& begin, const Rational& end) {
