@@ -33,6 +33,22 @@ std::string to_string(ErrorCode code) {
       return "degree_too_high";
     case ErrorCode::kWeightsNotPositive:
       return "weights_not_positive";
+    case ErrorCode::kBadAxis:
+      return "bad_axis";
+    case ErrorCode::kBadBounds:
+      return "bad_bounds";
+    case ErrorCode::kRegionEmpty:
+      return "region_empty";
+    case ErrorCode::kRegionUnbounded:
+      return "region_unbounded";
+    case ErrorCode::kRegionUnsupported:
+      return "region_unsupported";
+    case ErrorCode::kNotRational:
+      return "not_rational";
+    case ErrorCode::kIdenticalCurves:
+      return "identical_curves";
+    case ErrorCode::kCurvesMeet:
+      return "curves_meet";
     case ErrorCode::kPrecisionExhausted:
       return "precision_exhausted";
   }

@@ -22,6 +22,14 @@ enum class ErrorCode {
   kCornerTooSharp,      ///< the circles on both sides of a corner cannot be joined
   kDegreeTooHigh,       ///< the result would exceed degree 25
   kWeightsNotPositive,  ///< no patch with positive weights was found
+  kBadAxis,             ///< a half-axis is not positive
+  kBadBounds,           ///< bounds that are empty or inverted
+  kRegionEmpty,         ///< the bounds miss the surface
+  kRegionUnbounded,     ///< the surface is infinite and the bounds do not end it
+  kRegionUnsupported,   ///< a region that no few faces cover
+  kNotRational,         ///< the offset is known not to be rational
+  kIdenticalCurves,     ///< both curves of a ruled surface are one
+  kCurvesMeet,          ///< a ruling has no length
   kPrecisionExhausted,  ///< something could not be proved at the highest precision
 };
 

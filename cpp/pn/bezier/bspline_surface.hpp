@@ -8,12 +8,27 @@
 
 namespace pn {
 
+/// A clamped B-spline curve in the parameter plane of a surface, not rational.
+struct ParameterCurve {
+  int degree = 0;
+  std::vector<double> knots;
+  std::vector<int> multiplicities;
+  std::vector<std::array<double, 2>> poles;  ///< (u, v)
+};
+
+/// A closed loop: every curve ends where the next one begins, bit for bit.
+using TrimLoop = std::vector<ParameterCurve>;
+
 /// A clamped rational tensor-product B-spline surface of IEEE doubles.
 ///
 /// The first parameter runs along the spine (or directrix), the second around it (or across).
 /// Knots are strictly increasing, each with its multiplicity; the first and last have multiplicity
 /// degree + 1. Pole (i, j) is poles[i * v_count() + j], in millimetres; its weight, positive, has
 /// the same index.
+///
+/// `trims` bounds the face: the region lies to the left of every loop, so that outer loops run
+/// counterclockwise. A curve of degree 1 with two poles along a side of the parameter rectangle is a
+/// piece of that side. Without loops the face is the whole surface.
 struct BSplineSurface {
   int u_degree = 0;
   int v_degree = 0;
@@ -23,6 +38,7 @@ struct BSplineSurface {
   std::vector<int> v_multiplicities;
   std::vector<std::array<double, 3>> poles;
   std::vector<double> weights;
+  std::vector<TrimLoop> trims;
 
   std::size_t u_count() const;
   std::size_t v_count() const;

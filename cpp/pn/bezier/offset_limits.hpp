@@ -33,7 +33,7 @@ namespace pn {
 
 /// Distances d [mm] strictly between these have no singular point; none when lower >= upper.
 struct OffsetRange {
-  double lower, upper;  ///< upper may be infinite
+  double lower, upper;  ///< each may be infinite
 };
 
 /// The certified range: it lies inside the true one. Its ends are within a few times `tolerance`
