@@ -7,6 +7,7 @@
 #include "pn/algebra/roots.hpp"
 #include "pn/bezier/offset_limits.hpp"
 #include "pn/bezier/section_net.hpp"
+#include "pn/isotropic/along_curve.hpp"
 #include "pn/shapes/canal_surface.hpp"
 
 namespace pn::bench {
@@ -37,14 +38,14 @@ BENCHMARK(phase_curves)->Apply(for_both_degrees);
 
 void phase_circles(benchmark::State& state) {
   const EnvelopeChain chain = chain_for(state);
-  const SphereCurve& spheres = chain.links.front().envelope.curve();
-  for (auto _ : state) benchmark::DoNotOptimize(tangent_direction(spheres));
+  const SphereCurve& curve = chain.links.front().spheres->curve;
+  for (auto _ : state) benchmark::DoNotOptimize(tangent_direction(curve));
 }
 BENCHMARK(phase_circles)->Apply(for_both_degrees);
 
 void phase_roots(benchmark::State& state) {
   const EnvelopeChain chain = chain_for(state);
-  const RationalPolynomial discriminant = chain.links.front().envelope.circles().discriminant();
+  const RationalPolynomial discriminant = chain.links.front().spheres->circles.discriminant();
   for (auto _ : state) benchmark::DoNotOptimize(isolate_roots(discriminant, kLeastPrecision));
 }
 BENCHMARK(phase_roots)->Apply(for_both_degrees);
@@ -52,9 +53,9 @@ BENCHMARK(phase_roots)->Apply(for_both_degrees);
 /// Roots, the search for the best choice among them, the factorization.
 void phase_envelope(benchmark::State& state) {
   const EnvelopeChain chain = chain_for(state);
-  const AlongCurve& envelope = chain.links.front().envelope;
+  const CurveOfSpheres& spheres = *chain.links.front().spheres;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(AlongCurve(envelope.curve(), envelope.circles()));
+    benchmark::DoNotOptimize(along_curve(spheres.curve, spheres.circles));
   }
 }
 BENCHMARK(phase_envelope)->Apply(for_both_degrees);

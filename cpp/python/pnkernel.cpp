@@ -4,9 +4,13 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <map>
+
 #include "pn/bezier/pn_surface.hpp"
 #include "pn/geometry_error.hpp"
 #include "pn/shapes/canal_surface.hpp"
+#include "pn/shapes/quadric.hpp"
+#include "pn/shapes/ruled_surface.hpp"
 
 namespace py = pybind11;
 
@@ -82,6 +86,39 @@ py::tuple evaluate(const pn::PNSurface& surface, const Array& t, const Array& u)
   }
   const auto count = static_cast<py::ssize_t>(along.size());
   return py::make_tuple(array_of(points, {count, 3}), array_of(normals, {count, 3}));
+}
+
+pn::QuadricKind kind_of(const std::string& name) {
+  static const std::map<std::string, pn::QuadricKind> kinds = {
+      {"ellipsoid", pn::QuadricKind::kEllipsoid},
+      {"one_sheet_hyperboloid", pn::QuadricKind::kOneSheetHyperboloid},
+      {"two_sheet_hyperboloid", pn::QuadricKind::kTwoSheetHyperboloid},
+      {"elliptic_paraboloid", pn::QuadricKind::kEllipticParaboloid},
+      {"hyperbolic_paraboloid", pn::QuadricKind::kHyperbolicParaboloid},
+      {"elliptic_cylinder", pn::QuadricKind::kEllipticCylinder},
+      {"elliptic_cone", pn::QuadricKind::kEllipticCone},
+  };
+  const auto kind = kinds.find(name);
+  if (kind == kinds.end()) throw py::value_error("\"" + name + "\" is no kind of quadric");
+  return kind->second;
+}
+
+using Bounds = std::map<std::string, std::array<double, 2>>;
+
+pn::QuadricBounds bounds_of(const std::optional<Bounds>& bounds) {
+  pn::QuadricBounds result;
+  if (!bounds) return result;
+  for (const auto& [name, interval] : *bounds) {
+    const pn::Interval value{interval[0], interval[1]};
+    if (name == "angle") {
+      result.angle = value;
+    } else if (name == "x" || name == "y" || name == "z") {
+      result.box[static_cast<std::size_t>(name[0] - 'x')] = value;
+    } else {
+      throw py::value_error("\"" + name + "\" is no bound: x, y, z or angle");
+    }
+  }
+  return result;
 }
 
 void define_error(py::module_& module) {
@@ -167,6 +204,22 @@ void define_inputs(py::module_& module) {
 void define_outputs(py::module_& module) {
   using Surface = pn::BSplineSurface;
   const auto count = [](std::size_t n) { return static_cast<py::ssize_t>(n); };
+  using ParameterCurve = pn::ParameterCurve;
+  py::class_<ParameterCurve>(module, "ParameterCurve",
+                             "A clamped B-spline curve in the parameter plane of a face.")
+      .def_readonly("degree", &ParameterCurve::degree)
+      .def_readonly("multiplicities", &ParameterCurve::multiplicities)
+      .def_property_readonly("knots", [](const ParameterCurve& c) { return array_of(c.knots); })
+      .def_property_readonly(
+          "poles",
+          [count](const ParameterCurve& c) {
+            Array result({count(c.poles.size()), py::ssize_t{2}});
+            double* data = result.mutable_data();
+            for (const auto& pole : c.poles) data = std::copy(pole.begin(), pole.end(), data);
+            return result;
+          },
+          "(n, 2): u and v.");
+
   py::class_<Surface>(
       module, "BSplineSurface",
       "A face: a clamped rational B-spline surface. u runs along the spine, v around "
@@ -190,9 +243,9 @@ void define_outputs(py::module_& module) {
           },
           "(nu, nv), positive.")
       .def_property_readonly(
-          "trims", [](const Surface&) { return py::list(); },
-          "Closed loops of curves in (u, v) that bound the face; empty when it is the whole "
-          "surface.");
+          "trims", [](const Surface& s) { return s.trims; },
+          "Closed loops of curves in (u, v), the region on their left, that bound the face; empty "
+          "when it is the whole surface.");
 
   py::class_<pn::Certificate>(module, "Certificate", "What is proved of the exported faces.")
       .def_readonly("deviation", &pn::Certificate::deviation,
@@ -203,7 +256,10 @@ void define_outputs(py::module_& module) {
       .def_property_readonly("bidegree",
                              [](const pn::Certificate& c) { return tuple_of(c.bidegree); })
       .def_readonly("poles", &pn::Certificate::poles)
-      .def_readonly("notes", &pn::Certificate::notes);
+      .def_readonly("notes", &pn::Certificate::notes)
+      .def_readonly("trim_deviation", &pn::Certificate::trim_deviation,
+                    "Distance of the edges of trimmed faces from the true boundary, in mm: "
+                    "measured, not proven. Zero for whole faces.");
 }
 
 void define_surface(py::module_& module) {
@@ -266,6 +322,43 @@ void define_surface(py::module_& module) {
       "The envelope of spheres of radius r(t) along the spine m(t): x = m + r n with n.m' + r' = "
       "0. "
       "Its normal points away from the spine. Raises GeometryError.");
+
+  module.def(
+      "ruled_surface",
+      [](const pn::Curve& a, const pn::Curve& b) { return pn::PNSurface(pn::ruled_surface(a, b)); },
+      py::arg("curve_a"), py::arg("curve_b"), Release(),
+      "The surface whose rulings join points of equal parameter, between the curves; the domain of "
+      "the second is mapped to that of the first. With c(t, v) from curve_a (v = 0) to curve_b (v "
+      "= "
+      "1) its normal is on the side of c_t x c_v. Raises GeometryError.");
+
+  module.def(
+      "cone_envelope",
+      [](const pn::Curve& centres_a, const pn::Law& radii_a, const pn::Curve& centres_b,
+         const pn::Law& radii_b) {
+        return pn::PNSurface(pn::cone_envelope(centres_a, radii_a, centres_b, radii_b));
+      },
+      py::arg("centres_a"), py::arg("radii_a"), py::arg("centres_b"), py::arg("radii_b"), Release(),
+      "The envelope of the cones of revolution that touch the spheres of equal parameter, between "
+      "both: the sheet whose normal is on the side of c_t x c_v. Raises GeometryError.");
+
+  module.def(
+      "quadric",
+      [](const std::string& kind, double a, double b, double c,
+         const std::optional<Bounds>& bounds) {
+        const pn::QuadricKind which = kind_of(kind);
+        const pn::QuadricBounds region = bounds_of(bounds);
+        const py::gil_scoped_release release;
+        return pn::PNSurface(pn::quadric(which, {a, b, c}, region));
+      },
+      py::arg("kind"), py::arg("a"), py::arg("b"), py::arg("c"), py::arg("bounds") = py::none(),
+      "A quadric in standard position with half-axes in mm: \"ellipsoid\" (d > 0 outwards), "
+      "\"one_sheet_hyperboloid\", \"two_sheet_hyperboloid\" (the sheet z > 0), "
+      "\"elliptic_paraboloid\" z = c (x^2/a^2 + y^2/b^2), \"elliptic_cylinder\", \"elliptic_cone\" "
+      "(d > 0 away from the axis), \"hyperbolic_paraboloid\" z = c (x^2/a^2 - y^2/b^2) (d > 0 "
+      "upwards). bounds of the base surface: {\"x\": (lo, hi), \"y\": ..., \"z\": ..., \"angle\": "
+      "...}, "
+      "each optional, in mm and radians about z. Raises GeometryError.");
 }
 
 }  // namespace

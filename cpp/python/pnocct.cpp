@@ -8,17 +8,40 @@
 #include "pn/occt/brep.hpp"
 #include "pn/occt/bspline_geometry.hpp"
 #include "pn/occt/caps.hpp"
+#include "pn/occt/curve_on_surface.hpp"
 #include "pn/occt/mass.hpp"
 #include "pn/occt/occt_error.hpp"
 #include "pn/occt/shape_check.hpp"
 #include "pn/occt/shell.hpp"
 #include "pn/occt/step.hpp"
+#include "pn/occt/thick_solid.hpp"
 
 namespace py = pybind11;
 
 namespace {
 
 using DoubleArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+pn::ParameterCurve parameter_curve_from(const py::handle& object) {
+  pn::ParameterCurve curve;
+  curve.degree = object.attr("degree").cast<int>();
+  curve.knots = object.attr("knots").cast<std::vector<double>>();
+  curve.multiplicities = object.attr("multiplicities").cast<std::vector<int>>();
+  const auto poles = object.attr("poles").cast<DoubleArray>();
+  if (poles.ndim() != 2 || poles.shape(1) != 2) {
+    throw std::invalid_argument("The poles of a trim have the shape (n, 2).");
+  }
+  for (py::ssize_t i = 0; i < poles.shape(0); ++i) {
+    curve.poles.push_back({poles.at(i, 0), poles.at(i, 1)});
+  }
+  return curve;
+}
+
+pn::TrimLoop trim_loop_from(const py::iterable& curves) {
+  pn::TrimLoop loop;
+  for (const py::handle curve : curves) loop.push_back(parameter_curve_from(curve));
+  return loop;
+}
 
 // Any object with the attributes of pnkernel.BSplineSurface.
 pn::BSplineSurface surface_from(const py::handle& face) {
@@ -38,14 +61,14 @@ pn::BSplineSurface surface_from(const py::handle& face) {
       weights.shape(1) != poles.shape(1)) {
     throw std::invalid_argument("The weights of a face have the shape (nu, nv) of its poles.");
   }
-  if (py::len(face.attr("trims")) != 0) {
-    throw std::invalid_argument("Trimmed faces cannot be made into a shell.");
-  }
   for (py::ssize_t i = 0; i < poles.shape(0); ++i) {
     for (py::ssize_t j = 0; j < poles.shape(1); ++j) {
       surface.poles.push_back({poles.at(i, j, 0), poles.at(i, j, 1), poles.at(i, j, 2)});
       surface.weights.push_back(weights.at(i, j));
     }
+  }
+  for (const py::handle loop : face.attr("trims")) {
+    surface.trims.push_back(trim_loop_from(py::cast<py::iterable>(loop)));
   }
   return surface;
 }
@@ -64,16 +87,22 @@ py::object face_from(const pn::BSplineSurface& surface) {
       "weights"_a = DoubleArray({nu, nv}, surface.weights.data()), "trims"_a = py::list());
 }
 
-TopoDS_Shell shell_of(const py::iterable& faces) {
+std::vector<pn::BSplineSurface> surfaces_from(const py::iterable& faces) {
   std::vector<pn::BSplineSurface> surfaces;
   for (const py::handle face : faces) surfaces.push_back(surface_from(face));
-  return pn::make_shell(surfaces);
+  return surfaces;
 }
+
+TopoDS_Shell shell_of(const py::iterable& faces) { return pn::make_shell(surfaces_from(faces)); }
 
 std::string shell(const py::iterable& faces) { return pn::to_brep(shell_of(faces)); }
 
 std::string capped_solid(const py::iterable& faces) {
   return pn::to_brep(pn::make_capped_solid(shell_of(faces)));
+}
+
+std::string thick_solid(const py::iterable& inner_faces, const py::iterable& outer_faces) {
+  return pn::to_brep(pn::make_thick_solid(surfaces_from(inner_faces), surfaces_from(outer_faces)));
 }
 
 std::vector<std::string> check(const std::string& brep, bool boolean) {
@@ -117,6 +146,7 @@ std::vector<py::object> faces(const std::string& brep) {
 
 double volume(const std::string& brep) { return pn::volume(pn::from_brep(brep)); }
 double area(const std::string& brep) { return pn::area(pn::from_brep(brep)); }
+double trim_deviation(const std::string& brep) { return pn::trim_deviation(pn::from_brep(brep)); }
 
 // Files that cannot be opened or written are OSErrors, with the file's name and the system's
 // reason.
@@ -137,19 +167,30 @@ PYBIND11_MODULE(pnocct, m) {
       "B-spline faces as shapes of OpenCASCADE: shells, solids, checks, measures and STEP.\n\n"
       "Shapes are BREP texts (str), which FreeCAD reads with Part.Shape.importBrepFromString.\n"
       "Lengths are millimetres. A face is any object with the attributes of\n"
-      "pnkernel.BSplineSurface, without trims. Input that cannot be a shape raises ValueError,\n"
-      "a failure inside OpenCASCADE raises OcctError.";
+      "pnkernel.BSplineSurface; its trims are closed loops, lists of curves with the attributes\n"
+      "degree, knots, multiplicities and poles (n, 2), the face to the left. Input that cannot be "
+      "a\n"
+      "shape raises ValueError, a failure inside OpenCASCADE raises OcctError.";
   py::register_exception<pn::OcctError>(m, "OcctError", PyExc_RuntimeError).doc() =
       "A failure inside OpenCASCADE, with OpenCASCADE's message.";
   py::register_local_exception_translator(translate_file_error);
 
-  m.def("shell", &shell, "faces"_a,
-        "Return the shell of the faces.\n\n"
-        "Sides of faces that have the same poles, bit for bit and in either direction, are one\n"
-        "edge. Raises ValueError when the faces do not hang together.");
+  m.def(
+      "shell", &shell, "faces"_a,
+      "Return the shell of the faces.\n\n"
+      "Sides of faces that have the same poles, bit for bit and in either direction, are one\n"
+      "edge, and so are pieces of such sides between the same points. Edges along trims inside\n"
+      "a surface lie within 1e-9 mm of it. Raises ValueError when the faces do not hang together\n"
+      "or a loop of trims is not closed.");
   m.def("capped_solid", &capped_solid, "faces"_a,
         "Return the solid inside the shell of the faces, its open ends closed by planar faces.\n\n"
         "Raises ValueError when an open end is not planar or not closed.");
+  m.def("thick_solid", &thick_solid, "inner_faces"_a, "outer_faces"_a,
+        "Return the solid between two offsets of one surface.\n\n"
+        "Closed shells, the first inside the second, make a solid with a void; open ones, without\n"
+        "trims, are joined by ruled walls along their free sides. That they do not touch is not\n"
+        "examined. Raises ValueError when only one shell is closed, when the first does not lie\n"
+        "inside the second, and when open shells differ in structure or are trimmed.");
   m.def("check", &check, "brep"_a, "boolean"_a = false,
         "Return the faults of a shape as sentences; none when it is valid.\n\n"
         "With boolean=True a valid shape is also examined as an argument of Boolean operations,\n"
@@ -159,6 +200,10 @@ PYBIND11_MODULE(pnocct, m) {
         "Raises ValueError when no shell is closed.");
   m.def("area", &area, "brep"_a,
         "Return the area (mm^2) of the faces of a shape, by adaptive quadrature.");
+  m.def("trim_deviation", &trim_deviation, "brep"_a,
+        "Return the greatest distance (mm) between an edge and its curve on a face.\n\n"
+        "Exact edges contribute their rounding, those along trims the error of their fit. It is\n"
+        "measured at many points, not proved.");
   m.def("write_step", &write_step, "path"_a, "shapes"_a, "names"_a, "schema"_a = "AP214",
         "pcurves"_a = true,
         "Write shapes to a STEP file, one product each, with every double kept.\n\n"

@@ -6,6 +6,7 @@ Run it as a macro in FreeCAD, or import it and call make_intake_horn().
 
 import Draft
 import FreeCAD
+from display import paint, show_only
 from FreeCAD import Vector
 
 import pnsurfaces
@@ -53,7 +54,7 @@ def make_intake_horn():
     cutaway.Tool = half_space
     if FreeCAD.GuiUp:
         _paint(outer, inner, wall, half_space, cutaway)
-        _show_only(cutaway)
+    show_only(cutaway)
     document.recompute()
     return document
 
@@ -68,20 +69,15 @@ def _half_space(document):
 
 def _paint(outer, inner, wall, half_space, cutaway):
     """Metal outside, a light lining inside, the section of the wall brighter than both."""
-    outer.ViewObject.ShapeColor = _METAL
-    inner.ViewObject.ShapeColor = _LINING
+    paint(_METAL, outer)
+    paint(_LINING, inner)
     # The faces of the solid: inner and outer surface, then the two ends. A cut takes over these
     # colours and that of its tool when it is computed.
     wall.ViewObject.DiffuseColor = [_LINING, _METAL, _SECTION, _SECTION]
-    half_space.ViewObject.ShapeColor = _SECTION
+    paint(_SECTION, half_space)
     # It is drawn as finely as what it is cut from.
     for name in ("Deviation", "AngularDeflection"):
         setattr(cutaway.ViewObject, name, getattr(wall.ViewObject, name))
-
-
-def _show_only(shown):
-    for obj in shown.Document.Objects:
-        obj.ViewObject.Visibility = obj == shown
 
 
 if __name__ == "__main__":

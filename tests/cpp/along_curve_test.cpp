@@ -8,17 +8,19 @@
 #include "circle_families.hpp"
 #include "enclosures.hpp"
 
-using pn::AlongCurve;
-using pn::CircleFamily;
-using pn::Rational;
-using pn::RationalPolynomial;
-using pn::RealBall;
-using pn::SphereCurve;
+using namespace pn;
 using namespace pn::test;
 
 namespace {
 
-AlongCurve along(const SphereCurve& curve) { return {curve, tangent_direction(curve).circles}; }
+Envelope along(const SphereCurve& curve) {
+  return along_curve(curve, tangent_direction(curve).circles);
+}
+
+/// The curve of spheres that an envelope carries.
+const SphereCurveForms<RealBall>& curve_of(const IsotropicHypersurface<RealBall>& gamma) {
+  return std::get<SphereCurveForms<RealBall>>(gamma.carrier);
+}
 
 class RandomPolynomials {
  public:
@@ -42,12 +44,12 @@ class RandomPolynomials {
 };
 
 /// n.M + R = 0 as forms in t for each coefficient in u; |n| = 1 at some points.
-void check_gamma(const AlongCurve& envelope) {
+void check_gamma(const Envelope& envelope) {
   const auto gamma = envelope.enclosure(128);
   const auto w = pn::isotropic_vector<RealBall>(gamma.spinor);
   for (std::size_t q = 0; q < 3; ++q) {
-    auto sum = gamma.curve.level * w[3].coefficient[q];
-    for (std::size_t i = 0; i < 3; ++i) sum += gamma.curve.axis[i] * w[i].coefficient[q];
+    auto sum = gamma.circles.level * w[3].coefficient[q];
+    for (std::size_t i = 0; i < 3; ++i) sum += gamma.circles.axis[i] * w[i].coefficient[q];
     for (const RealBall& c : sum.coefficients()) CHECK(encloses_zero(c, 1e-6));
   }
   for (const double t : {0.0, 0.375, 1.0}) {
@@ -83,8 +85,9 @@ TEST_CASE("Polynomial spine and radius of degree k: degrees 4, 5, 8, 9, 12, 13",
   RandomPolynomials random;
   for (int k = 2; k <= 7; ++k) {
     INFO("k = " << k);
-    const AlongCurve envelope = along(random.curve(k, 1L));
-    REQUIRE(envelope.circles().degree() == k - 1);
+    const SphereCurve curve = random.curve(k, 1L);
+    REQUIRE(tangent_direction(curve).circles.degree() == k - 1);
+    const Envelope envelope = along(curve);
     CHECK(envelope.degree() == degrees[static_cast<std::size_t>(k - 2)]);
     CHECK_FALSE(envelope.is_substituted());
     check_gamma(envelope);
@@ -97,9 +100,9 @@ TEST_CASE("Rational spine and radius of degree k: degree 3k - 2", "[along_curve]
       polynomial({3, 1, 2}), polynomial({4, 1, 2, 1}), polynomial({5, 1, 0, 2, 3})};
   for (int k = 2; k <= 4; ++k) {
     INFO("k = " << k);
-    const AlongCurve envelope =
-        along(random.curve(k, denominators[static_cast<std::size_t>(k - 2)]));
-    REQUIRE(envelope.circles().degree() == 2 * k - 2);
+    const SphereCurve curve = random.curve(k, denominators[static_cast<std::size_t>(k - 2)]);
+    REQUIRE(tangent_direction(curve).circles.degree() == 2 * k - 2);
+    const Envelope envelope = along(curve);
     CHECK(envelope.degree() == 3 * k - 2);
     check_gamma(envelope);
   }
@@ -111,7 +114,7 @@ TEST_CASE("Straight lines and circles keep their low degree", "[along_curve]") {
   // Speed that varies along a straight line is content: the circles stay those of the cylinder.
   CHECK(along({{polynomial({0, 1, 1, 1}), 0L, 0L}, 2L, 1L}).degree() == 3);
   const RationalPolynomial q = polynomial({1, 0, 1});
-  const AlongCurve torus =
+  const Envelope torus =
       along({{polynomial({5, 0, -5}), polynomial({0, 10}), 0L}, RationalPolynomial(2L) * q, q});
   CHECK(torus.degree() == 4);
   check_gamma(torus);
@@ -140,7 +143,7 @@ TEST_CASE("Odd real roots beside [0, 1] are substituted away", "[along_curve]") 
     INFO("D has the roots " << c.roots);
     const CircleFamily family = family_with_discriminant(c.f, c.g);
     REQUIRE(is_positive_on_unit_interval(family.discriminant()));
-    const AlongCurve envelope(telling_curve(), family);
+    const Envelope envelope = along_curve(telling_curve(), family);
     CHECK(envelope.is_substituted());
     const int least = 2 * 3 + 2 * family.degree();
     CHECK(envelope.degree() >= least);
@@ -148,7 +151,8 @@ TEST_CASE("Odd real roots beside [0, 1] are substituted away", "[along_curve]") 
     check_gamma(envelope);
 
     // The local parameter moves t from 0 to 1 along the same curve of spheres.
-    const auto curve = envelope.enclosure(128).curve;
+    const auto gamma = envelope.enclosure(128);
+    const auto& curve = curve_of(gamma);
     double before = -1;
     for (const double s : {0.0, 0.125, 0.5, 0.75, 1.0}) {
       const RealBall at = RealBall(s).at_precision(128), q = curve.denominator(at),
@@ -191,8 +195,8 @@ TEST_CASE("Planted roots: multiple pairs, real double roots, double roots at inf
   for (const Case& planted : cases) {
     for (const CircleFamily& family : {planted.family, turned(planted.family)}) {
       INFO("f has the roots " << planted.roots);
-      std::optional<AlongCurve> envelope;
-      REQUIRE_NOTHROW(envelope.emplace(telling_curve(), family));
+      std::optional<Envelope> envelope;
+      REQUIRE_NOTHROW(envelope = along_curve(telling_curve(), family));
       CHECK_FALSE(envelope->is_substituted());
       CHECK(envelope->degree() >= 3 + 2 * ((family.degree() + 1) / 2));
       CHECK(envelope->degree() <= 3 + 2 * planted.most);
@@ -205,8 +209,8 @@ TEST_CASE("More precision encloses the same hypersurface more closely", "[along_
   RandomPolynomials random;
   for (const auto& envelope :
        {along(random.curve(5, 1L)),
-        AlongCurve(telling_curve(),
-                   family_with_discriminant(polynomial({1, 1}), polynomial({2, -1})))}) {
+        along_curve(telling_curve(),
+                    family_with_discriminant(polynomial({1, 1}), polynomial({2, -1})))}) {
     const auto coarse = envelope.enclosure(128), fine = envelope.enclosure(512);
     REQUIRE(coarse.spinor.degree == fine.spinor.degree);
     for (int i = 0; i < 2; ++i) {
@@ -226,6 +230,6 @@ TEST_CASE("Midpoints estimate the enclosure", "[along_curve]") {
   const auto gamma = along(random.curve(4, 1L)).enclosure(128);
   const auto estimate = midpoint(gamma);
   CHECK(estimate.spinor.degree == gamma.spinor.degree);
-  CHECK(estimate.curve.axis[1](0.5) == Approx(gamma.curve.axis[1](RealBall(0.5)).midpoint()));
+  CHECK(estimate.circles.axis[1](0.5) == Approx(gamma.circles.axis[1](RealBall(0.5)).midpoint()));
   CHECK(std::abs(estimate.spinor.entry[1][0][0] - gamma.spinor.entry[1][0][0].midpoint()) == 0);
 }

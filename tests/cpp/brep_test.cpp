@@ -11,7 +11,8 @@
 #include "pn/occt/bspline_geometry.hpp"
 #include "pn/occt/caps.hpp"
 #include "pn/occt/shell.hpp"
-#include "surfaces_of_revolution.hpp"
+#include "pn/occt/thick_solid.hpp"
+#include "trimmed_surfaces.hpp"
 
 using pn::from_brep;
 using pn::to_brep;
@@ -44,6 +45,22 @@ TEST_CASE("Surfaces and vertices come back from BREP text bit for bit") {
 TEST_CASE("Writing what was read gives the same text") {
   const std::string text = to_brep(pn::make_capped_solid(pn::make_shell(pn::test::three_tubes())));
   CHECK(to_brep(from_brep(text)) == text);
+}
+
+TEST_CASE("Trimmed faces, poles and voids come back from BREP text") {
+  const auto text_again = [](const TopoDS_Shape& shape) {
+    const std::string text = to_brep(shape);
+    CHECK(to_brep(from_brep(text)) == text);
+  };
+  const auto neighbours = pn::test::trimmed_neighbours();
+  const TopoDS_Shell shell = pn::make_shell(neighbours);
+  text_again(shell);
+  const auto found = pn::bspline_surfaces(from_brep(to_brep(shell)));
+  REQUIRE(found.size() == 2);
+  for (int i = 0; i < 2; ++i) CHECK(pn::test::same_surface(found[i], neighbours[i]));
+  text_again(pn::make_shell({pn::test::tube_with_hole_across_seam()}));
+  text_again(pn::make_thick_solid(pn::make_shell(pn::test::ellipsoid_halves(3, 2, 1)),
+                                  pn::make_shell(pn::test::ellipsoid_halves(4, 3, 2))));
 }
 
 TEST_CASE("Other text is refused") {

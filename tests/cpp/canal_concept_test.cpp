@@ -3,29 +3,17 @@
 //
 // PN_TEST_SEED chooses the inputs, PN_TEST_SCALE multiplies their number.
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <optional>
 #include <set>
 
-#include "enclosures.hpp"
-#include "pn/bezier/pn_surface.hpp"
-#include "pn/geometry_error.hpp"
 #include "pn/shapes/canal_surface.hpp"
 #include "random_canals.hpp"
+#include "surface_concept.hpp"
 
 namespace pn::test {
 namespace {
-
-/// Identities are enclosed to this relative width: far below what a wrong formula leaves, far above
-/// what 128 bits leave.
-constexpr double kNarrow = 1e-9;
-
-double number_from_environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : otherwise;
-}
 
 /// Odd, even and nonreal roots of D, with infinity among the real ones.
 struct RootKinds {
@@ -49,9 +37,9 @@ RootKinds root_kinds(const CircleFamily& circles) {
   return kinds;
 }
 
-void check_degree(const AlongCurve& envelope) {
-  const int k = envelope.curve().degree(), h = envelope.circles().degree();
-  const RootKinds kinds = root_kinds(envelope.circles());
+void check_degree(const Envelope& envelope, const CurveOfSpheres& spheres) {
+  const int k = spheres.curve.degree(), h = spheres.circles.degree();
+  const RootKinds kinds = root_kinds(spheres.circles);
   CHECK(envelope.is_substituted() == kinds.odd_real);
   if (kinds.odd_real) {
     CHECK(envelope.degree() == 2 * k + 2 * h);
@@ -75,127 +63,39 @@ std::array<Rational, 4> sphere_at(const Curve& spine, const Law& law, const Rati
   return {value(curve, 0), value(curve, 1), value(curve, 2), value(radius, 0)};
 }
 
-/// |n| = 1, n.x_t = n.x_u = 0 and x_d - x = d n at a point of a segment, as enclosures of zero.
-void check_identities(const LinedSegment& segment, double at, double angle, long precision) {
-  const RealBall t = RealBall(at).at_precision(precision);
-  const RealBall u0(std::cos(angle)), u1(std::sin(angle));
-  const IsotropicVector<RealBall> vector = isotropic_vector<RealBall>(segment.spinor);
-  const HomogeneousSections<RealBall> forms = sections(segment.curve, vector);
-  std::array<Jet, 4> w;
-  for (std::size_t i = 0; i < 4; ++i) w[i] = jet(vector[i], t, u0, u1);
-  const RealBall w4 = w[3].value;
-  REQUIRE(w4.is_positive());
-  const std::array<RealBall, 3> n = {w[0].value / w4, w[1].value / w4, w[2].value / w4};
-  CHECK(encloses_zero(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - RealBall(1), kNarrow));
-
-  const Jet weight = jet(forms.weight, t, u0, u1);
-  REQUIRE(weight.value.is_positive());
-  RealBall along, around;
-  double speed_along = 0, speed_around = 0, size = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Jet p = jet(forms.point[i], t, u0, u1);
-    const RealBall square = weight.value * weight.value;
-    const RealBall x_t = (p.along * weight.value - p.value * weight.along) / square;
-    const RealBall x_u = (p.around * weight.value - p.value * weight.around) / square;
-    along += n[i] * x_t;
-    around += n[i] * x_u;
-    size = std::max(size, (p.value / weight.value).magnitude_upper());
-    speed_along = std::max(speed_along, x_t.magnitude_upper());
-    speed_around = std::max(speed_around, x_u.magnitude_upper());
-
-    // x_d for d = 1 against x + n, each by its own forms.
-    const RealBall moved = (p.value + jet(forms.direction[i], t, u0, u1).value) / weight.value -
-                           p.value / weight.value;
-    CHECK(encloses_zero(moved - n[i], kNarrow));
-  }
-  CHECK(encloses_zero(along, kNarrow * (size + speed_along)));
-  CHECK(encloses_zero(around, kNarrow * (size + speed_around)));
-
-  // The circle on which the sphere touches: n.axis + level = 0.
-  RealBall circle = segment.curve.level(t);
+/// n.axis + level = 0: the sphere of the link at t touches along this circle.
+void check_circle(const CircleForms<RealBall>& circles, const RealBall& t,
+                  const std::array<RealBall, 3>& n) {
+  RealBall circle = circles.level(t);
   double axis = circle.magnitude_upper();
   for (std::size_t i = 0; i < 3; ++i) {
-    circle += n[i] * segment.curve.axis[i](t);
-    axis = std::max(axis, segment.curve.axis[i](t).magnitude_upper());
+    circle += n[i] * circles.axis[i](t);
+    axis = std::max(axis, circles.axis[i](t).magnitude_upper());
   }
   CHECK(encloses_zero(circle, kNarrow * axis));
 }
 
-/// The centre and the radius of a segment are those of the spine at its parameter.
-void check_sphere(const LinedSegment& segment, const Curve& spine, const Law& law,
-                  const Rational& local) {
-  const Rational begin = Rational::exactly(segment.begin), end = Rational::exactly(segment.end);
-  const auto sphere = sphere_at(spine, law, begin + local * (end - begin));
-  const RealBall t(local, segment.curve.denominator[0].precision());
-  const RealBall denominator = segment.curve.denominator(t);
+/// x - r n is the centre of the sphere of the spine.
+void check_sphere(const EnclosedContact& contact, const std::array<Rational, 4>& sphere) {
+  const RealBall radius(sphere[3], contact.normal[0].precision());
   for (std::size_t i = 0; i < 3; ++i) {
-    CHECK((segment.curve.centre[i](t) / denominator).contains(sphere[i]));
+    CHECK((contact.point[i] - radius * contact.normal[i]).contains(sphere[i]));
   }
-  CHECK((segment.curve.radius(t) / denominator).contains(sphere[3]));
 }
 
-void check_plain_data(const BSplineSurface& face) {
-  const auto check_direction = [](int degree, const std::vector<double>& knots,
-                                  const std::vector<int>& multiplicities) {
-    REQUIRE(knots.size() == multiplicities.size());
-    CHECK(multiplicities.front() == degree + 1);
-    CHECK(multiplicities.back() == degree + 1);
-    for (std::size_t i = 1; i < knots.size(); ++i) CHECK(knots[i - 1] < knots[i]);
-    for (std::size_t i = 1; i + 1 < knots.size(); ++i) CHECK(multiplicities[i] <= degree - 1);
-  };
-  check_direction(face.u_degree, face.u_knots, face.u_multiplicities);
-  check_direction(face.v_degree, face.v_knots, face.v_multiplicities);
-  CHECK(face.u_degree <= 25);
-  REQUIRE(face.poles.size() == face.u_count() * face.v_count());
-  REQUIRE(face.weights.size() == face.poles.size());
-  for (const double weight : face.weights) CHECK(weight > 0);
-}
-
-struct ControlPoint {
-  std::array<double, 3> pole;
-  double weight;
-  bool operator==(const ControlPoint& other) const {
-    return pole == other.pole && weight == other.weight;
-  }
-};
-
-std::vector<ControlPoint> row(const BSplineSurface& face, std::size_t i) {
-  std::vector<ControlPoint> result;
-  for (std::size_t j = 0; j < face.v_count(); ++j) {
-    result.push_back({face.poles[i * face.v_count() + j], face.weights[i * face.v_count() + j]});
-  }
-  return result;
-}
-
-std::vector<ControlPoint> column(const BSplineSurface& face, std::size_t j) {
-  std::vector<ControlPoint> result;
-  for (std::size_t i = 0; i < face.u_count(); ++i) {
-    result.push_back({face.poles[i * face.v_count() + j], face.weights[i * face.v_count() + j]});
-  }
-  return result;
-}
-
-/// The faces come strip by strip along the spine, `around` of them around each strip.
-void check_shared_boundaries(const std::vector<BSplineSurface>& faces, std::size_t around,
-                             bool closed) {
+/// Neighbours around a strip share a column of control points.
+void check_shared_columns(const std::vector<BSplineSurface>& faces, std::size_t around) {
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const std::size_t strip = i / around * around;
     const BSplineSurface& beside = faces[strip + (i + 1 - strip) % around];
     CHECK((column(faces[i], faces[i].v_count() - 1) == column(beside, 0)));
-    const bool last = i + around >= faces.size();
-    if (last && !closed) continue;
-    CHECK((row(faces[i], faces[i].u_count() - 1) == row(faces[(i + around) % faces.size()], 0)));
   }
 }
 
-double ratio_of(const Form<RealBall>& form) {
+double ratio_of(const Form<double>& form) {
   const auto bernstein = to_bernstein(form.coefficients());
-  double least = INFINITY, largest = 0;
-  for (const RealBall& b : bernstein) {
-    least = std::min(least, b.lower());
-    largest = std::max(largest, b.upper());
-  }
-  return least / largest;
+  const auto [least, largest] = std::minmax_element(bernstein.begin(), bernstein.end());
+  return *least / *largest;
 }
 
 /// What the weights of the spine leave of the ratio of the surface's weights.
@@ -209,7 +109,9 @@ void check_weight_ratio(const std::vector<BSplineSurface>& faces,
     }
   }
   for (const LinedSegment& segment : segments) {
-    of_spine = std::min(of_spine, ratio_of(segment.curve.denominator));
+    of_spine = std::min(
+        of_spine,
+        ratio_of(std::get<SphereCurveForms<double>>(segment.carrier).denominator));
   }
   CHECK(least / largest > 0.01 * of_spine);
 }
@@ -226,7 +128,7 @@ class CanalConcept {
   void check() {
     int degree = 0;
     for (const ChainLink& link : chain_.links) {
-      check_degree(link.envelope);
+      check_degree(link.envelope, *link.spheres);
       degree = std::max(degree, link.envelope.degree());
     }
     CHECK(surface_.degree() == std::array<int, 2>{degree, 2});
@@ -240,7 +142,7 @@ class CanalConcept {
   double unit() { return static_cast<double>(random_() % 1025) / 1024; }
 
   double radius_scale() const {
-    const SphereCurve& curve = chain_.links.front().envelope.curve();
+    const SphereCurve& curve = chain_.links.front().spheres->curve;
     return (curve.radius(Rational()) / curve.denominator(Rational())).to_double();
   }
 
@@ -257,31 +159,28 @@ class CanalConcept {
         lined_segments(chain_, lines, certificate.precision_bits);
     for (const BSplineSurface& face : faces) check_plain_data(face);
 
-    std::vector<std::size_t> first_segments;
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-      if (i == 0 || segments[i].joint_before != Joint::kSmooth) first_segments.push_back(i);
-    }
-    REQUIRE(faces.size() % first_segments.size() == 0);
-    const std::size_t around = faces.size() / first_segments.size();
-    check_shared_boundaries(faces, around, chain_.closed);
+    const auto of_strip = strips(segments);
+    REQUIRE(faces.size() % of_strip.size() == 0);
+    const std::size_t around = faces.size() / of_strip.size();
+    check_shared_columns(faces, around);
+    check_shared_rows(faces, around, chain_.closed);
     if (lines == Lines::kEven) {
       CHECK(around == 1);
       if (has_room_for_lines()) check_weight_ratio(faces, segments);
     }
 
-    check_segment(segments[random_() % segments.size()], certificate.precision_bits);
+    check_segment(segments, random_() % segments.size(), certificate.precision_bits);
     const std::size_t index = random_() % faces.size();
-    const std::size_t strip = index / around;
-    const std::size_t end =
-        strip + 1 < first_segments.size() ? first_segments[strip + 1] : segments.size();
-    const std::vector<LinedSegment> of_face(
-        segments.begin() + static_cast<std::ptrdiff_t>(first_segments[strip]),
-        segments.begin() + static_cast<std::ptrdiff_t>(end));
+    const auto [first, last] = of_strip[index / around];
     const int arcs = lines == Lines::kEven ? static_cast<int>(faces[index].v_knots.size()) - 1
                                            : static_cast<int>(around);
-    const CircleColumns columns = circle_columns(lines, arcs)[index % around];
+    const CircleColumns columns = circle_columns(lines, arcs, 2)[index % around];
     for (int sample = 0; sample < 3; ++sample) {
-      check_certificate(faces[index], of_face, columns, surface.distance(), certificate);
+      const LinedSegment& segment = segments[first + random_() % (last - first)];
+      const double u = segment.begin + unit() * (segment.end - segment.begin);
+      const double v =
+          columns.knots.front() + unit() * (columns.knots.back() - columns.knots.front());
+      check_certificate(faces[index], segment, columns, u, v, surface.distance(), certificate);
     }
   }
 
@@ -290,55 +189,20 @@ class CanalConcept {
                        [](const ChainLink& link) { return link.envelope.degree() <= 25 - 6; });
   }
 
-  void check_segment(const LinedSegment& segment, long precision) {
-    check_identities(segment, unit(), 2 * M_PI * unit(), precision);
-    const ChainLink* link = nullptr;
-    for (const ChainLink& candidate : chain_.links) {
-      if (candidate.begin <= segment.begin && segment.end <= candidate.end) link = &candidate;
-    }
-    if (segment.stands_still || !link || link->envelope.is_substituted()) return;
-    check_sphere(segment, spine_, law_, Rational::exactly(unit()));
-  }
-
-  /// A point of the surface of doubles lies within the deviation of the true point.
-  void check_certificate(const BSplineSurface& face, const std::vector<LinedSegment>& segments,
-                         const CircleColumns& columns, double distance,
-                         const Certificate& certificate) {
-    const long precision = certificate.precision_bits;
-    const LinedSegment& segment = segments[random_() % segments.size()];
-    const double u = segment.begin + unit() * (segment.end - segment.begin);
-    const double v =
-        columns.knots.front() + unit() * (columns.knots.back() - columns.knots.front());
-    const auto ball = [&](double x) { return RealBall(x).at_precision(precision); };
-    const RealBall s = (ball(u) - ball(segment.begin)) / (ball(segment.end) - ball(segment.begin));
-    std::array<RealBall, 3> c;
-    const auto exact = circle_coefficients(columns, v);
-    for (std::size_t q = 0; q < 3; ++q) c[q] = RealBall(exact[q], precision);
-    const HomogeneousSections<RealBall> forms =
-        sections(segment.curve, isotropic_vector<RealBall>(segment.spinor));
-    const auto exported = enclosed_point(face, u, v, precision);
-    const RealBall weight = value(forms.weight, s, c);
-    RealBall squares;
-    double size = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const RealBall truth =
-          (value(forms.point[i], s, c) + ball(distance) * value(forms.direction[i], s, c)) / weight;
-      const RealBall difference = exported[i] - truth;
-      squares += difference * difference;
-      size = std::max(size, truth.magnitude_upper());
-    }
-    CAPTURE(u, v, distance);
-    CHECK(sqrt(abs(squares)).upper() <= certificate.deviation);
-    // A certificate that says nothing would always hold.
-    if (certificate.exact) CHECK(certificate.deviation < 1e-11 * (size + extent(face)));
-  }
-
-  static double extent(const BSplineSurface& face) {
-    double largest = 0;
-    for (const auto& pole : face.poles) {
-      for (const double x : pole) largest = std::max(largest, std::abs(x));
-    }
-    return largest;
+  void check_segment(const std::vector<LinedSegment>& segments, std::size_t index,
+                     long precision) {
+    const LinedSegment& segment = segments[index];
+    const ChainLink& link = *links_of(chain_, segments)[index];
+    const Rational local = Rational::exactly(unit());
+    const double angle = 2 * M_PI * unit();
+    const RealBall t(local, precision), u0(std::cos(angle)), u1(std::sin(angle));
+    check_identities(segment.sections, t, u0, u1);
+    const EnclosedContact at = contact(segment.sections, t, u0, u1);
+    check_circle(link.envelope.enclosure(precision).circles,
+                 RealBall(on_link(link, segment, local), precision), at.normal);
+    if (segment.stands_still || link.envelope.is_substituted()) return;
+    const Rational begin = Rational::exactly(segment.begin), end = Rational::exactly(segment.end);
+    check_sphere(at, sphere_at(spine_, law_, begin + local * (end - begin)));
   }
 
   Curve spine_;

@@ -78,10 +78,10 @@ TEST_CASE("A corner gets the zone of its sphere, between the circles on both sid
   CHECK_FALSE(chain.links[0].stands_still());
   CHECK(zone.begin == 1);
   CHECK(zone.end == 1);
-  CHECK(is_same_circle(chain.links[0].envelope.circles(), 1, zone.envelope.circles(), 0));
-  CHECK(is_same_circle(zone.envelope.circles(), 1, chain.links[2].envelope.circles(), 0));
+  CHECK(is_same_circle(chain.links[0].spheres->circles, 1, zone.spheres->circles, 0));
+  CHECK(is_same_circle(zone.spheres->circles, 1, chain.links[2].spheres->circles, 0));
   CHECK(joints(chain) == std::vector<Joint>{Joint::kNone, Joint::kTangent, Joint::kTangent});
-  CHECK(zone.envelope.curve().centre[0](Rational(0L)) == Rational(3L));
+  CHECK(zone.spheres->curve.centre[0](Rational(0L)) == Rational(3L));
   CHECK_FALSE(chain.closed);
 }
 
@@ -104,8 +104,8 @@ TEST_CASE("Closed spines close: smoothly, or with a corner", "[canal_surface]") 
   REQUIRE(triangle.links.size() == 6);
   CHECK(triangle.links.back().stands_still());
   CHECK(triangle.links.front().joint_before == Joint::kTangent);
-  CHECK(is_same_circle(triangle.links.back().envelope.circles(), 1,
-                       triangle.links.front().envelope.circles(), 0));
+  CHECK(is_same_circle(triangle.links.back().spheres->circles, 1,
+                       triangle.links.front().spheres->circles, 0));
 
   // The same place with another radius is no closed chain.
   const auto open =
@@ -141,8 +141,8 @@ TEST_CASE("A span that runs back in itself keeps its circles", "[canal_surface]"
   const auto chain =
       canal_surface(Curve::bezier({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}), Law::constant(0.1));
   REQUIRE(chain.links.size() == 1);
-  CHECK(chain.links[0].content(Rational(0L)).sign() == 1);
-  CHECK(chain.links[0].content(Rational(1L)).sign() == -1);
+  CHECK(chain.links[0].spheres->content(Rational(0L)).sign() == 1);
+  CHECK(chain.links[0].spheres->content(Rational(1L)).sign() == -1);
 }
 
 TEST_CASE("A rounding gap between directions is closed and said so", "[canal_surface]") {

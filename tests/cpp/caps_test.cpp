@@ -13,7 +13,7 @@
 #include "pn/occt/mass.hpp"
 #include "pn/occt/shape_check.hpp"
 #include "pn/occt/shell.hpp"
-#include "surfaces_of_revolution.hpp"
+#include "trimmed_surfaces.hpp"
 
 using pn::make_capped_solid;
 using pn::make_shell;
@@ -73,11 +73,56 @@ TEST_CASE("A shell that points inwards still makes a solid that points outwards"
   CHECK(volume(solid) == Approx(20 * kPi).epsilon(1e-12));
 }
 
+TEST_CASE("A cap closes a trimmed end") {
+  SECTION("a spherical cap") {
+    const TopoDS_Solid solid = capped(pn::test::up_to(pn::test::sphere_halves(), 0.7));
+    check_clean(solid);
+    const double h = 1 + pn::test::height(0.7);
+    CHECK(volume(solid) == Approx(kPi * h * h * (3 - h) / 3).epsilon(1e-10));
+    CHECK(pn::area(solid) == Approx(2 * kPi * h + kPi * h * (2 - h)).epsilon(1e-10));
+  }
+  SECTION("an ellipsoid cut in two") {
+    const TopoDS_Solid solid = capped(pn::test::up_to(pn::test::ellipsoid_halves(3, 2, 1), 0.5));
+    check_clean(solid);
+    CHECK(volume(solid) == Approx(4 * kPi).epsilon(1e-10));
+  }
+}
+
+TEST_CASE("A cap may run pieces of sides") {
+  SECTION("whole rims in two pieces each") {
+    const TopoDS_Solid solid = capped({pn::test::within(
+        pn::test::tube(2, 0, 2, 5),
+        {pn::test::polygon({{0, 0}, {1, 0}, {1, 1.3}, {1, 4}, {0, 4}, {0, 2.7}})})});
+    check_clean(solid);
+    CHECK(volume(solid) == Approx(20 * kPi).epsilon(1e-12));
+  }
+  SECTION("a piece whose side leaves the plane elsewhere") {
+    // z = 2 u (1 - u) 2 v (1 - v) up to v = 1; beyond, the sides rise.
+    pn::BSplineSurface surface{2, 2, {0, 1}, {0, 1, 2}, {3, 3}, {3, 1, 3}, {}, {}, {}};
+    const std::array<double, 4> y = {0, 0.5, 1.5, 2};
+    const std::array<double, 4> bump = {0, 1, -1, 5};
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 4; ++j) {
+        const double z = i == 1 || j == 3 ? bump[j] : 0;
+        surface.poles.push_back({i / 2., y[j], z});
+        surface.weights.push_back(1);
+      }
+    }
+    const TopoDS_Solid solid =
+        capped({pn::test::within(surface, {pn::test::polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}})})});
+    CHECK(pn::faults(solid).empty());
+    CHECK(volume(solid) == Approx(1. / 9).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("A closed shell becomes a solid as it is") {
   const TopoDS_Shell shell = make_shell({pn::test::torus(5, 2)});
   const TopoDS_Solid solid = make_capped_solid(shell);
   check_clean(solid);
   CHECK(volume(solid) == Approx(2 * kPi * kPi * 5 * 4).epsilon(1e-12));
+  const TopoDS_Solid ellipsoid = capped(pn::test::ellipsoid_halves(3, 2, 1));
+  check_clean(ellipsoid);
+  CHECK(volume(ellipsoid) == Approx(8 * kPi).epsilon(1e-13));
 }
 
 TEST_CASE("The shell that is capped stays open") {

@@ -47,7 +47,7 @@ TEST_CASE("The even factor gives constant weight and the circle's seam") {
   const auto links = estimates(chain);
   const pn::ChainSeam seam(chain, links);
   for (const double t : {0.0, 0.3, 0.77, 1.0}) {
-    const Eigen::Matrix2cd a = pn::value_at(links[0].spinor, t) * seam.even(0, t);
+    const Eigen::Matrix2cd a = pn::value_at(links[0].spinor, t) * seam.at(0, t);
     CHECK(((a.adjoint() * a).real() - Eigen::Matrix2d::Identity()).norm() < 1e-12);
   }
 }
@@ -57,8 +57,8 @@ TEST_CASE("The derivative is that of the factor") {
   const pn::ChainSeam seam(chain, estimates(chain));
   constexpr double kStep = 1e-5;
   for (const double t : {0.2, 0.5, 0.8}) {
-    const Eigen::Matrix2d slope = (seam.even(1, t + kStep) - seam.even(1, t - kStep)) / (2 * kStep);
-    CHECK((seam.even_derivative(1, t) - slope).norm() < 1e-2 * (1 + slope.norm()));
+    const Eigen::Matrix2d slope = (seam.at(1, t + kStep) - seam.at(1, t - kStep)) / (2 * kStep);
+    CHECK((seam.derivative(1, t) - slope).norm() < 1e-2 * (1 + slope.norm()));
   }
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("Around a closed chain the seam comes back") {
   const auto links = estimates(chain);
   const pn::ChainSeam seam(chain, links);
   const auto seam_normal = [&](std::size_t link, double t) {
-    const Eigen::Vector2cd a = (pn::value_at(links[link].spinor, t) * seam.even(link, t)).col(0);
+    const Eigen::Vector2cd a = (pn::value_at(links[link].spinor, t) * seam.at(link, t)).col(0);
     const std::complex<double> planar = 2.0 * std::conj(a(0)) * a(1);
     return Eigen::Vector3d(planar.real(), planar.imag(), std::norm(a(0)) - std::norm(a(1)));
   };

@@ -108,42 +108,68 @@ inline std::array<RealBall, 3> enclosed_point(const BSplineSurface& surface, dou
   return enclosed_point(surface, controls, u, v, precision);
 }
 
-/// The factors of q00, q01, q11 at parameter v of the columns, exactly.
-inline std::array<Rational, 3> circle_coefficients(const CircleColumns& columns, double v) {
+/// The factors of the coefficients of a form in u at parameter v of the columns, exactly.
+inline std::vector<Rational> circle_coefficients(const CircleColumns& columns, double v) {
   const auto flat = flat_knots<Rational>(columns.knots, columns.multiplicities, Rational::exactly);
   const std::size_t last = span_at(columns.knots, columns.multiplicities, v);
-  std::array<Rational, 3> result;
-  for (std::size_t q = 0; q < 3; ++q) {
+  std::vector<Rational> result;
+  for (std::size_t q = 0; q < columns.coefficients.front().size(); ++q) {
     std::vector<Rational> active;
     for (std::size_t j = last - static_cast<std::size_t>(columns.degree); j <= last; ++j) {
       active.push_back(columns.coefficients[j][q]);
     }
-    result[q] = de_boor(columns.degree, flat, last, std::move(active), Rational::exactly(v));
+    result.push_back(de_boor(columns.degree, flat, last, std::move(active), Rational::exactly(v)));
   }
   return result;
 }
 
-/// q00 c0 + q01 c1 + q11 c2 at t.
-inline RealBall value(const QuadraticInU<RealBall>& q, const RealBall& t,
-                      const std::array<RealBall, 3>& c) {
-  return q.coefficient[0](t) * c[0] + q.coefficient[1](t) * c[1] + q.coefficient[2](t) * c[2];
+/// The sum of the form's coefficients at t times these factors.
+inline RealBall value(const FormInU<RealBall>& form, const RealBall& t,
+                      const std::vector<RealBall>& factors) {
+  RealBall sum;
+  for (std::size_t j = 0; j < factors.size(); ++j) sum += form.coefficient[j](t) * factors[j];
+  return sum;
 }
 
-/// Value of a quadratic form with its derivatives by t and along the circle, at u = (u0 : u1).
+inline RealBall power(const RealBall& x, int exponent) {
+  RealBall result(1);
+  for (int i = 0; i < exponent; ++i) result *= x;
+  return result;
+}
+
+/// The form in t that is left at u = (u0 : u1).
+inline Form<RealBall> at_u(const FormInU<RealBall>& form, const RealBall& u0, const RealBall& u1) {
+  const int n = form.degree();
+  Form<RealBall> sum;
+  for (int j = 0; j <= n; ++j) {
+    sum += form.coefficient[static_cast<std::size_t>(j)] *
+           (RealBall(small_binomial(n, j)) * power(u0, n - j) * power(u1, j));
+  }
+  return sum;
+}
+
+/// The derivatives by u0 and u1, divided by the degree: F = u0 F_0 + u1 F_1.
+inline std::array<FormInU<RealBall>, 2> polars(const FormInU<RealBall>& form) {
+  std::array<FormInU<RealBall>, 2> result;
+  const auto n = static_cast<std::size_t>(form.degree());
+  for (std::size_t j = 0; j < n; ++j) {
+    result[0].coefficient.push_back(form.coefficient[j]);
+    result[1].coefficient.push_back(form.coefficient[j + 1]);
+  }
+  return result;
+}
+
+/// Value of a form with its derivatives by t and along the circle, at u = (u0 : u1).
 struct Jet {
   RealBall value, along, around;
 };
 
-inline Jet jet(const QuadraticInU<RealBall>& q, const RealBall& t, const RealBall& u0,
+inline Jet jet(const FormInU<RealBall>& form, const RealBall& t, const RealBall& u0,
                const RealBall& u1) {
-  const RealBall two(2);
-  const std::array<RealBall, 3> squares = {u0 * u0, two * u0 * u1, u1 * u1};
-  const std::array<RealBall, 3> turned = {-(two * u0 * u1), two * (u0 * u0 - u1 * u1),
-                                          two * u0 * u1};
-  const QuadraticInU<RealBall> slope = {{q.coefficient[0].derivative(),
-                                         q.coefficient[1].derivative(),
-                                         q.coefficient[2].derivative()}};
-  return {value(q, t, squares), value(slope, t, squares), value(q, t, turned)};
+  const Form<RealBall> here = at_u(form, u0, u1);
+  const auto [by_u0, by_u1] = polars(form);
+  const RealBall around = at_u(by_u1, u0, u1)(t) * u0 - at_u(by_u0, u0, u1)(t) * u1;
+  return {here(t), here.derivative()(t), around * RealBall(form.degree())};
 }
 
 }  // namespace pn::test

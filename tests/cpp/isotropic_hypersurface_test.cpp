@@ -6,7 +6,7 @@
 #include "enclosures.hpp"
 
 using pn::Form;
-using pn::QuadraticInU;
+using pn::FormInU;
 using pn::Rational;
 using pn::RealBall;
 using namespace pn::test;
@@ -36,27 +36,15 @@ pn::SpinorMatrix<pn::ComplexBall> spinor() {
   return a;
 }
 
-/// The square of a quadratic form in u, coefficient by coefficient of u0^4 .. u1^4.
-std::array<RealForm, 5> squared(const QuadraticInU<RealBall>& q) {
-  const auto &a = q.coefficient[0], &c = q.coefficient[2];
-  const RealForm b = q.coefficient[1] * RealBall(2);
-  return {a * a, a * b * RealBall(2), b * b + a * c * RealBall(2), b * c * RealBall(2), c * c};
-}
-
-bool is_zero(const RealForm& form) {
-  return std::all_of(form.coefficients().begin(), form.coefficients().end(),
-                     [](const RealBall& c) { return c.is_zero(); });
-}
-
 }  // namespace
 
 TEST_CASE("The vector of a spinor is isotropic: <w, w> = 0 identically",
           "[isotropic_hypersurface]") {
   const auto w = pn::isotropic_vector<RealBall>(spinor());
-  std::array<std::array<RealForm, 5>, 4> squares;
-  for (std::size_t i = 0; i < 4; ++i) squares[i] = squared(w[i]);
-  for (std::size_t q = 0; q < 5; ++q) {
-    CHECK(is_zero(squares[0][q] + squares[1][q] + squares[2][q] - squares[3][q]));
+  const FormInU<RealBall> square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2] - w[3] * w[3];
+  CHECK(square.degree() == 4);
+  for (const RealForm& form : square.coefficient) {
+    for (const RealBall& c : form.coefficients()) CHECK(encloses_zero(c, 1e-15));
   }
   CHECK(w[3].coefficient[0].degree() == 4);
   CHECK(w[3].coefficient[2].degree() == 4);
@@ -83,9 +71,7 @@ TEST_CASE("Sections are x_d = centre + (radius + d) n", "[isotropic_hypersurface
   const pn::SphereCurveForms<RealBall> curve{
       {real_form({1, 2, 3}), real_form({0, -1, 2}), real_form({5, 0, 1})},
       real_form({2, 1, 1}),
-      real_form({1, 1, 1}),
-      {real_form({1, 0}), real_form({1, 0}), real_form({1, 0})},
-      real_form({1, 0})};
+      real_form({1, 1, 1})};
   const auto w = pn::isotropic_vector<RealBall>(spinor());
   const auto forms = sections(curve, w);
   const RealBall t(0.25), u0(3), u1(-2), d(7);

@@ -5,13 +5,12 @@
 
 #include "circle_families.hpp"
 #include "enclosures.hpp"
+#include "pn/isotropic/envelope.hpp"
 
 using namespace pn;
 using namespace pn::test;
 
 namespace {
-
-const SphereCurve kCurve{{polynomial({0, 1}), 1L, 2L}, 1L, 1L};
 
 RationalPolynomial root(long r) { return polynomial({-r, 1}); }
 
@@ -21,9 +20,9 @@ CircleFamily family(const RationalPolynomial& f, const RationalPolynomial& g) {
 }
 
 /// D in the local parameter.
-Form<RealBall> discriminant(const SphereCurveForms<RealBall>& curve) {
-  auto d = curve.level * curve.level * RealBall(-1);
-  for (const auto& axis : curve.axis) d += axis * axis;
+Form<RealBall> discriminant(const CircleForms<RealBall>& circles) {
+  auto d = circles.level * circles.level * RealBall(-1);
+  for (const auto& axis : circles.axis) d += axis * axis;
   return d;
 }
 
@@ -60,8 +59,8 @@ TEST_CASE("In the local parameter D has exactly these roots, none of odd multipl
       family(root(-1) * root(-1), polynomial({2, 0, 1})),
   };
   for (const CircleFamily& circles : families) {
-    const auto [curve, roots] = local_forms(kCurve, circles, 256);
-    const auto d = discriminant(curve);
+    const auto [parameter, roots] = local_family(circles, 256);
+    const auto d = discriminant(circle_forms(circles, *parameter));
     const auto product = product_of_squares(roots);
     CHECK(product.degree() + 2 * roots.infinite_copies == d.degree());
     const RealBall lead = d[product.degree()];
@@ -75,19 +74,22 @@ TEST_CASE("In the local parameter D has exactly these roots, none of odd multipl
 
 TEST_CASE("Without odd real roots the parameter stays t", "[odd_root_substitution]") {
   const auto circles = family(polynomial({3, 1, 1}), polynomial({2, 0, 1}));
-  const auto curve = local_forms(kCurve, circles, 128).curve;
-  REQUIRE(curve.level.degree() == circles.degree());
+  const auto family = local_family(circles, 128);
+  CHECK_FALSE(family.parameter->is_substituted());
+  const auto level = family.parameter->form(circles.level, circles.degree());
+  REQUIRE(level.degree() == circles.degree());
   for (int i = 0; i <= circles.degree(); ++i) {
-    CHECK(curve.level[i].contains(circles.level.coefficient(i)));
+    CHECK(level[i].contains(circles.level.coefficient(i)));
   }
 }
 
 TEST_CASE("The denominator of the substitution stays between 1/2 and 1",
           "[odd_root_substitution]") {
-  const SphereCurve line{{polynomial({0, 1}), 0L, 0L}, 1L, 1L};
-  const auto curve = local_forms(line, family(root(-1), -root(2)), 128).curve;
+  const auto local = local_family(family(root(-1), -root(2)), 128);
+  REQUIRE(local.parameter->is_substituted());
+  const auto denominator = local.parameter->form(1L, 1);
   for (const double s : {0.0, 0.25, 0.5, 1.0}) {
-    const RealBall q = curve.denominator(RealBall(s).at_precision(128));
+    const RealBall q = denominator(RealBall(s).at_precision(128));
     CHECK(q.upper() <= 1 + 1e-15);
     CHECK(q.lower() >= 0.5);
   }

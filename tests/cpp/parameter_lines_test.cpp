@@ -56,10 +56,10 @@ struct EndForms {
 };
 
 EndForms at_end(const LinedSegment& segment, long end) {
-  const auto forms = sections(segment.curve, isotropic_vector<RealBall>(segment.spinor));
+  const HomogeneousSections<RealBall>& forms = segment.sections;
   const RealBall t = RealBall(end).at_precision(128), length(segment.end - segment.begin);
   EndForms result;
-  const auto set = [&](std::size_t i, const QuadraticInU<RealBall>& q) {
+  const auto set = [&](std::size_t i, const FormInU<RealBall>& q) {
     for (std::size_t k = 0; k < 3; ++k) {
       result.value[i][k] = q.coefficient[k](t);
       result.slope[i][k] = q.coefficient[k].derivative()(t) / length;
@@ -85,6 +85,10 @@ void check_joint(const LinedSegment& left, const LinedSegment& right, Joint join
       if (joint == Joint::kSmooth) CHECK(encloses_zero(a.slope[i][q] - b.slope[i][q], 1e-9));
     }
   }
+}
+
+int degree_of(const LinedSegment& segment) {
+  return segment.sections.weight.coefficient.front().degree();
 }
 
 void check_joints(const EnvelopeChain& chain, Lines lines) {
@@ -129,14 +133,14 @@ TEST_CASE("Lines of lowest degree add nothing where weights allow it, else a lin
   const EnvelopeChain gentle = canal_surface(
       Curve::bezier({{0, 0, 0}, {1, 0, 0}, {2, 0.25, 0}, {3, 0.25, 0.25}}), Law::constant(0.25));
   for (const LinedSegment& segment : lined_segments(gentle, Lines::kLowestDegree, 128)) {
-    CHECK(segment.curve.denominator.degree() + 2 * segment.spinor.degree[0] ==
+    CHECK(degree_of(segment) ==
           gentle.links[0].envelope.degree());
   }
   const EnvelopeChain chain = smooth_chain();
   int largest = 0;
   for (const ChainLink& link : chain.links) largest = std::max(largest, link.envelope.degree());
   for (const LinedSegment& segment : lined_segments(chain, Lines::kLowestDegree, 128)) {
-    CHECK(segment.curve.denominator.degree() + 2 * segment.spinor.degree[0] <= largest + 2);
+    CHECK(degree_of(segment) <= largest + 2);
   }
 }
 
@@ -144,10 +148,8 @@ TEST_CASE(
     "Even lines have an even weight, at the right end of a free segment exactly to short doubles",
     "[parameter_lines]") {
   for (const LinedSegment& segment : lined_segments(smooth_chain(), Lines::kEven, 128)) {
-    const auto w4 = isotropic_vector<RealBall>(segment.spinor)[3];
-    const double q00 = w4.coefficient[0](RealBall(1)).midpoint(),
-                 q01 = w4.coefficient[1](RealBall(1)).midpoint(),
-                 q11 = w4.coefficient[2](RealBall(1)).midpoint();
+    const auto w4 = isotropic_vector<double>(segment.lines)[3];
+    const double q00 = w4.coefficient[0](1), q01 = w4.coefficient[1](1), q11 = w4.coefficient[2](1);
     CHECK(q00 == Approx(1).epsilon(1e-5));
     CHECK(q11 == Approx(1).epsilon(1e-5));
     CHECK(std::abs(q01) < 1e-5);
@@ -155,8 +157,8 @@ TEST_CASE(
 }
 
 TEST_CASE("Faces around the circle", "[parameter_lines]") {
-  CHECK(circle_columns(Lines::kEven, 4).size() == 1);
-  CHECK(circle_columns(Lines::kEven, 4)[0].degree == 4);
-  CHECK(circle_columns(Lines::kLowestDegree, 8).size() == 8);
-  CHECK(circle_columns(Lines::kLowestDegree, 8)[3].degree == 2);
+  CHECK(circle_columns(Lines::kEven, 4, 2).size() == 1);
+  CHECK(circle_columns(Lines::kEven, 4, 2)[0].degree == 4);
+  CHECK(circle_columns(Lines::kLowestDegree, 8, 2).size() == 8);
+  CHECK(circle_columns(Lines::kLowestDegree, 8, 2)[3].degree == 2);
 }

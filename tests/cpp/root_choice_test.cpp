@@ -4,13 +4,23 @@
 #include <catch2/catch.hpp>
 
 #include "circle_families.hpp"
+#include "pn/isotropic/envelope.hpp"
 
 using namespace pn;
 using namespace pn::test;
 
 namespace {
 
-const SphereCurve kCurve{{polynomial({0, 1}), 1L, 2L}, 1L, 1L};
+/// The circles in numbers and the roots of their D.
+struct Local {
+  CircleForms<RealBall> circles;
+  DoubleRoots roots;
+};
+
+Local local_at(const CircleFamily& circles, long precision) {
+  const LocalFamily family = local_family(circles, precision);
+  return {circle_forms(circles, *family.parameter), family.roots};
+}
 
 /// Pairs of multiplicity two and one; D has no real zero.
 CircleFamily circles() {
@@ -18,15 +28,15 @@ CircleFamily circles() {
   return turned(planted_family(product({c, c, e}), polynomial({1, 0, 5, 1})));
 }
 
-int column_degree(const LocalForms& local, const RootChoice& choice) {
-  return spinor_factorization(hermitian_matrix(local.curve), half_roots(local.roots, choice))
+int column_degree(const Local& local, const RootChoice& choice) {
+  return spinor_factorization(hermitian_matrix(local.circles), half_roots(local.roots, choice))
       .degree[0];
 }
 
 }  // namespace
 
 TEST_CASE("A choice stands for half of the roots", "[root_choice]") {
-  const LocalForms local = local_forms(kCurve, circles(), 128);
+  const Local local = local_at(circles(), 128);
   REQUIRE(local.roots.pairs.size() == 2);
   const std::size_t twice = local.roots.pairs[0].multiplicity == 2 ? 0 : 1;
   RootChoice choice(2, 0);
@@ -41,8 +51,8 @@ TEST_CASE("A choice stands for half of the roots", "[root_choice]") {
 }
 
 TEST_CASE("No choice has a lower degree than the best", "[root_choice]") {
-  const LocalForms local = local_forms(kCurve, circles(), 256);
-  const int best = column_degree(local, best_root_choice(local));
+  const Local local = local_at(circles(), 256);
+  const int best = column_degree(local, best_root_choice(local.circles, local.roots));
   CHECK(best == 2);
   for (int a = 0; a <= local.roots.pairs[0].multiplicity; ++a) {
     for (int b = 0; b <= local.roots.pairs[1].multiplicity; ++b) {
@@ -52,8 +62,8 @@ TEST_CASE("No choice has a lower degree than the best", "[root_choice]") {
 }
 
 TEST_CASE("The matrix of the circles has determinant -D", "[root_choice]") {
-  const LocalForms local = local_forms(kCurve, circles(), 128);
-  const auto h = hermitian_matrix(local.curve);
+  const Local local = local_at(circles(), 128);
+  const auto h = hermitian_matrix(local.circles);
   const auto determinant = h.h00 * h.h11 - h.h01 * conj(h.h01);
   const RationalPolynomial d = circles().discriminant();
   for (int i = 0; i <= determinant.degree(); ++i) {

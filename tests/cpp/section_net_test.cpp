@@ -36,10 +36,10 @@ EnvelopeChain mended_chain() {
 
 /// The Bezier rows of a segment at this degree, for one column of the circle: homogeneous points.
 std::vector<Homogeneous> bezier_rows(const LinedSegment& segment, int degree,
-                                     const std::array<Rational, 3>& column) {
-  const auto forms = sections(segment.curve, isotropic_vector<RealBall>(segment.spinor));
+                                     const std::vector<Rational>& column) {
+  const HomogeneousSections<RealBall>& forms = segment.sections;
   std::vector<Homogeneous> rows(static_cast<std::size_t>(degree) + 1);
-  const auto set = [&](std::size_t i, const QuadraticInU<RealBall>& q) {
+  const auto set = [&](std::size_t i, const FormInU<RealBall>& q) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto bernstein = to_bernstein(q.coefficient[k].elevated(degree).coefficients());
       for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -65,7 +65,8 @@ TEST_CASE(
   const int degree = face.frame.u_degree;
   const std::size_t columns = face.frame.v_count();
   REQUIRE(face.poles.size() == face.frame.u_count() * columns);
-  const CircleColumns circle = whole_circle(static_cast<int>(face.frame.v_knots.size()) - 1);
+  const int arcs = static_cast<int>(face.frame.v_knots.size()) - 1;
+  const CircleColumns circle = circle_part(0, arcs, arcs, 2);
 
   for (const std::size_t j : {std::size_t{0}, std::size_t{2}, columns - 2}) {
     std::size_t row = 0;

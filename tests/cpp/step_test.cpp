@@ -13,7 +13,8 @@
 #include "pn/occt/occt_error.hpp"
 #include "pn/occt/shape_check.hpp"
 #include "pn/occt/shell.hpp"
-#include "surfaces_of_revolution.hpp"
+#include "pn/occt/thick_solid.hpp"
+#include "trimmed_surfaces.hpp"
 
 namespace fs = std::filesystem;
 using pn::read_step;
@@ -112,6 +113,41 @@ TEST_CASE("A capped solid keeps its volume, surfaces stay B-splines") {
   CHECK(contains(text, "RATIONAL_B_SPLINE_SURFACE"));
   CHECK_FALSE(contains(text, "CYLINDRICAL_SURFACE"));
   CHECK_FALSE(contains(text, "CONICAL_SURFACE"));
+}
+
+TEST_CASE("Trimmed faces, poles and voids come back from STEP") {
+  const TemporaryFolder folder;
+  const auto neighbours = pn::test::trimmed_neighbours();
+  const std::vector patch = {pn::test::within(
+      pn::test::paraboloid(), {pn::test::oval({0.1, 0}, 0.8, 0.9),
+                               pn::test::reversed(pn::test::oval({0.2, 0.1}, 0.3, 0.2))})};
+  const std::vector seamed = {pn::test::tube_with_hole_across_seam()};
+  const auto cap = pn::test::up_to(pn::test::sphere_halves(), 0.7);
+  auto ellipsoids = pn::test::ellipsoid_halves(4, 3, 2);
+  const auto inner = pn::test::ellipsoid_halves(3, 2, 1);
+  const std::vector<TopoDS_Shape> originals = {
+      pn::make_shell(neighbours), pn::make_shell(patch), pn::make_shell(seamed),
+      pn::make_shell(cap), pn::make_thick_solid(pn::make_shell(inner), pn::make_shell(ellipsoids))};
+  ellipsoids.insert(ellipsoids.end(), inner.begin(), inner.end());
+  const std::vector surfaces = {neighbours, patch, seamed, cap, ellipsoids};
+  std::vector<pn::NamedShape> named;
+  for (const TopoDS_Shape& shape : originals) named.push_back({shape, "shape"});
+  const bool p_curves = GENERATE(true, false);
+  write_step(folder / "trimmed.step", named, {StepSchema::kAp214, p_curves});
+  const auto shapes = read_step(folder / "trimmed.step");
+  REQUIRE(shapes.size() == originals.size());
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    CAPTURE(i, p_curves);
+    CHECK(pn::faults(shapes[i]) == std::vector<std::string>());
+    CHECK(pn::boolean_faults(shapes[i]) == std::vector<std::string>());
+    CHECK(pn::area(shapes[i]) == Approx(pn::area(originals[i])).epsilon(1e-9));
+    const auto found = pn::bspline_surfaces(shapes[i]);
+    REQUIRE(found.size() == surfaces[i].size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      CHECK(pn::test::same_surface(found[k], surfaces[i][k]));
+    }
+  }
+  CHECK(pn::volume(shapes.back()) == Approx(pn::volume(originals.back())).epsilon(1e-12));
 }
 
 TEST_CASE("Names, schema and p-curves are as asked") {

@@ -37,11 +37,32 @@ class GuiTest(unittest.TestCase):
         FreeCADGui.activeDocument().activeView().viewIsometric()
 
     def open_panel(self, spine, *names):
-        """Runs the command on a spine and returns the new feature and its panel."""
+        """Runs the command Canal surface on a spine: the new feature and its panel."""
         self.select(spine, *names)
-        FreeCADGui.runCommand("PNSurfaces_CanalSurface")
+        return self.run_creation("PNSurfaces_CanalSurface")
+
+    def run_creation(self, command):
+        """Runs a command on what is selected and returns the new feature and its panel."""
+        FreeCADGui.runCommand(command)
         main_window.settle()
         return self.panel_of(self.document.ActiveObject)
+
+    def assert_asks(self, command, sentence):
+        """On what is selected the command makes nothing and says what to select."""
+        objects = self.document.Objects
+        answers = []
+        main_window.answer_message_box(answers)
+        FreeCADGui.runCommand(command)
+        self.assertEqual(answers, [sentence])
+        self.assertEqual(self.document.Objects, objects)
+
+    def assert_recorded(self, since, feature, expected):
+        """The commands recorded from number `since` on make the same feature again."""
+        name = feature.Name
+        script = main_window.recorded_commands()[since:]
+        self.document.removeObject(name)
+        exec("\n".join(script), {"App": FreeCAD, "Gui": FreeCADGui})
+        self.assertEqual(poles(self.document.getObject(name)), expected)
 
     def reopen_panel(self, feature):
         main_window.double_click_in_tree(feature.Label)
@@ -75,10 +96,13 @@ class GuiTest(unittest.TestCase):
         # The preferences dialog writes the file, FreeCAD ends a test run without writing it.
         FreeCAD.saveParameter()
 
-    def _curve_object(self, curve, name):
+    def shape_object(self, shape, name):
         source = self.document.addObject("Part::Feature", name)
-        source.Shape = curve.toShape()
+        source.Shape = shape
         return source
+
+    def _curve_object(self, curve, name):
+        return self.shape_object(curve.toShape(), name)
 
     def _close_documents(self):
         for name in FreeCAD.listDocuments():

@@ -39,6 +39,30 @@ def cylinder(bottom, top, radius=2.0):
     )
 
 
+def trim(*poles):
+    """A Bezier curve in the parameter plane."""
+    n = len(poles)
+    return SimpleNamespace(degree=n - 1, knots=[0.0, 1.0], multiplicities=[n, n],
+                           poles=np.array(poles, dtype=float))
+
+
+def trimmed(face, *loops):
+    return SimpleNamespace(**{**vars(face), "trims": list(loops)})
+
+
+def around(*corners):
+    return [trim(a, b) for a, b in zip(corners, corners[1:] + corners[:1], strict=True)]
+
+
+def torus(radius):
+    """A closed tube around a circle of radius 5."""
+    poles = [[5, 0, 0], [5, 5, 0], [0, 5, 0], [-5, 5, 0], [-5, 0, 0],
+             [-5, -5, 0], [0, -5, 0], [5, -5, 0], [5, 0, 0]]
+    spine = pn.Curve.bspline(2, [0, 1, 2, 3, 4], [3, 2, 2, 2, 3], poles,
+                             [1, 1, 2, 1, 1, 1, 2, 1, 1])
+    return pn.canal_surface(spine, pn.Law.constant(radius)).bsplines()
+
+
 def assert_equal(face, other):
     for attribute in ATTRIBUTES:
         np.testing.assert_array_equal(getattr(face, attribute), getattr(other, attribute))
@@ -94,13 +118,59 @@ def test_both_kinds_of_lines_bound_the_same_volume():
     assert even == pytest.approx(lowest, rel=1e-11)
 
 
+def test_face_and_hole_add_up():
+    outside = around((0, 0), (1, 0), (1, 4), (0, 4))
+    patch = [trim((0.3, 1), (0.6, 1)), trim((0.6, 1), (0.9, 2), (0.6, 3)),
+             trim((0.6, 3), (0.3, 3)), trim((0.3, 3), (0.3, 1))]
+    hole = [trim(*curve.poles[::-1]) for curve in patch[::-1]]
+    rest, part = (
+        pnocct.shell([trimmed(cylinder(0, 5), *loops)]) for loops in ([outside, hole], [patch])
+    )
+    for brep in (rest, part):
+        assert pnocct.check(brep, boolean=True) == []
+        assert pnocct.trim_deviation(brep) < 1e-9
+    assert pnocct.area(rest) + pnocct.area(part) == pytest.approx(20 * np.pi, rel=1e-12)
+
+
+def test_trimmed_neighbours_share_a_piece_of_a_side():
+    lower = trimmed(cylinder(0, 1), around((0, 0.5), (1, 0.5), (1, 2.5), (0, 2.5)))
+    upper = trimmed(cylinder(1, 2), around((0, 0.5), (1, 0.5), (1, 2.5), (0, 2.5)))
+    assert pnocct.check(pnocct.shell([lower, upper]), boolean=True) == []
+    other = trimmed(cylinder(1, 2), around((0, 0.5), (1, 0.5), (1, 3), (0, 3)))
+    with pytest.raises(ValueError, match="do not hang together"):
+        pnocct.shell([lower, other])
+
+
+def test_thick_solid_between_two_offsets():
+    solid = pnocct.thick_solid(torus(1), torus(2))
+    assert pnocct.check(solid, boolean=True) == []
+    assert pnocct.volume(solid) == pytest.approx(2 * np.pi**2 * 5 * (4 - 1), rel=1e-12)
+    pipe = pnocct.thick_solid([cylinder(0, 5, 2)], [cylinder(0, 5, 3)])
+    assert pnocct.check(pipe, boolean=True) == []
+    assert pnocct.volume(pipe) == pytest.approx(5 * np.pi * (9 - 4), rel=1e-12)
+    with pytest.raises(ValueError, match="inside"):
+        pnocct.thick_solid(torus(2), torus(1))
+    with pytest.raises(ValueError, match="open"):
+        pnocct.thick_solid([cylinder(0, 1)], torus(1))
+
+
+def test_trims_that_bound_nothing():
+    good = around((0.2, 1), (0.8, 1), (0.5, 2))
+    bad_knots = around((0.2, 1), (0.8, 1), (0.5, 2))
+    bad_knots[1].knots = [1.0, 0.0]
+    space_poles = around((0.2, 1), (0.8, 1), (0.5, 2))
+    space_poles[1].poles = np.zeros((2, 3))
+    for loop in (good[:2], [], bad_knots, space_poles):
+        with pytest.raises(ValueError):
+            pnocct.shell([trimmed(cylinder(0, 1), loop)])
+
+
 def test_arrays_that_are_no_face():
     for change in (
         {"poles": np.zeros((2, 14))},
         {"weights": np.ones(28)},
         {"v_knots": [0.0, 1.0]},
         {"poles": np.full((2, 14, 3), np.nan)},
-        {"trims": [object()]},
     ):
         with pytest.raises(ValueError):
             pnocct.shell([SimpleNamespace(**{**vars(cylinder(0, 1)), **change})])

@@ -11,6 +11,7 @@ from support import (
     POLES,
     RADII,
     DocumentTest,
+    Recovery,
     grid,
     polyline,
     shape_data,
@@ -342,28 +343,11 @@ class Spines(CanalSurfaceTest):
         self.assertEqual(shape_data(inside.Shape), expected)
 
 
-class Errors(CanalSurfaceTest):
+class Errors(Recovery, CanalSurfaceTest):
     def setUp(self):
         super().setUp()
         self.source = self.spline_object()
-        self.obj = make_canal_surface(self.source, ("Values at vertices", RADII), 0.5)
-        self.good = shape_data(self.obj.Shape)
-        self.results = self.results_of(self.obj)
-
-    def results_of(self, obj):
-        return obj.Degree, obj.Poles, obj.Deviation, obj.MinOffset, obj.MaxOffset
-
-    def assert_fails_and_recovers(self, sentence, repair):
-        """The good shape stays with its results, and comes back when the input does."""
-        self.document.recompute()
-        self.assert_error(self.obj, sentence)
-        self.assertEqual(shape_data(self.obj.Shape), self.good)
-        self.assertEqual(self.results_of(self.obj), self.results)
-        repair()
-        self.document.recompute()
-        self.assertTrue(self.obj.isValid(), self.obj.getStatusString())
-        self.assertEqual(self.obj.Status, "Valid")
-        self.assertEqual(shape_data(self.obj.Shape), self.good)
+        self.remember(make_canal_surface(self.source, ("Values at vertices", RADII), 0.5))
 
     def test_no_radii(self):
         def repair():

@@ -36,6 +36,10 @@ class DocumentTest(unittest.TestCase):
     def spline_object(self):
         return self.shape_object(spline().toShape(), "Spline")
 
+    def face_object(self, shape, name="Face"):
+        """The link to the first face of a shape."""
+        return self.shape_object(shape, name), "Face1"
+
     def line_object(self, length=10.0):
         return self.shape_object(Part.makeLine(Vector(), Vector(0, 0, length)), "Line")
 
@@ -50,6 +54,11 @@ class DocumentTest(unittest.TestCase):
         self.assertIn(sentence, obj.getStatusString())
         self.assertEqual(obj.Status, f"Error: {obj.getStatusString()}")
         self.assertRegex(obj.getStatusString(), r"^[A-Z][^\n]*[.]$")
+
+    def assert_offset(self, obj, distance):
+        """Every point of the offset lies the distance away from its point of the base."""
+        for base, offset in base_and_offset(obj):
+            self.assertAlmostEqual((offset - base).Length, abs(distance), delta=1e-10)
 
     def _close_documents(self):
         for name in FreeCAD.listDocuments():
@@ -69,6 +78,32 @@ def polyline(*points):
 
 def volume(obj):
     return kernel.pnocct().volume(obj.Shape.exportBrepToString())
+
+
+class Recovery:
+    """Mixed into a test with a valid feature `obj`: its good shape stays after an error."""
+
+    def remember(self, obj):
+        self.obj = obj
+        self.assert_valid(obj)
+        self.good = shape_data(obj.Shape)
+        self.results = _results(obj)
+
+    def assert_fails_and_recovers(self, sentence, repair):
+        """The good shape stays with its results, and comes back when the input does."""
+        self.document.recompute()
+        self.assert_error(self.obj, sentence)
+        self.assertEqual(shape_data(self.obj.Shape), self.good)
+        self.assertEqual(_results(self.obj), self.results)
+        repair()
+        self.document.recompute()
+        self.assertTrue(self.obj.isValid(), self.obj.getStatusString())
+        self.assertEqual(self.obj.Status, "Valid")
+        self.assertEqual(shape_data(self.obj.Shape), self.good)
+
+
+def _results(obj):
+    return obj.Degree, obj.Poles, obj.Deviation, obj.MinOffset, obj.MaxOffset
 
 
 def surface_data(surface):
@@ -99,4 +134,16 @@ def grid(surface, count=12):
         )
         for i in range(count)
         for j in range(count)
+    ]
+
+
+def base_and_offset(obj):
+    """Pairs (point of the base, point of the offset) of a feature that shows both."""
+    faces = obj.Shape.Faces
+    half = len(faces) // 2
+    return [
+        (base.Surface.value(u, v), offset.Surface.value(u, v))
+        for base, offset in zip(faces[:half], faces[half:])
+        for u, v in grid(base.Surface)
+        if base.isPartOfDomain(u, v)
     ]

@@ -7,5 +7,7 @@ document opens, with its stored shapes, without it.
 
 from pnsurfaces.canal_surface import make_canal_surface
 from pnsurfaces.export import export_step
+from pnsurfaces.quadric_offset import make_quadric_offset
+from pnsurfaces.ruled_offset import make_ruled_offset
 
-__all__ = ["export_step", "make_canal_surface"]
+__all__ = ["export_step", "make_canal_surface", "make_quadric_offset", "make_ruled_offset"]

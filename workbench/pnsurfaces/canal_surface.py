@@ -1,10 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The canal surface in the tree: the envelope of spheres along a spine."""
 
-import FreeCAD
-
 from pnsurfaces import kernel
-from pnsurfaces.feature import QT_TRANSLATE_NOOP, FeatureBase, Property
+from pnsurfaces.edge_chain import ChainError
+from pnsurfaces.feature import (
+    QT_TRANSLATE_NOOP,
+    Base,
+    FeatureBase,
+    Property,
+    make_feature,
+    show_only,
+)
+from pnsurfaces.linked_shape import as_link
 from pnsurfaces.radius_law import (
     BEZIER_COEFFICIENTS,
     CONSTANT,
@@ -13,13 +20,9 @@ from pnsurfaces.radius_law import (
     VALUES_AT_VERTICES,
     radius_law,
 )
-from pnsurfaces.spine import SpineError, read_spine
+from pnsurfaces.spine import read_spine
 
 GROUP = "Canal surface"
-
-# Editor modes of FreeCAD's properties.
-_SHOWN = 0
-_HIDDEN = 2
 
 
 class CanalSurface(FeatureBase):
@@ -42,12 +45,12 @@ class CanalSurface(FeatureBase):
                                    "Radii at the vertices, or Bezier coefficients, in mm")),
     )
 
-    def surface(self, obj):
+    def base(self, obj):
         if obj.Spine is None:
-            raise SpineError("The spine is missing. Choose an edge, a wire or a sketch.")
+            raise ChainError("The spine is missing. Choose an edge, a wire or a sketch.")
         source, names = obj.Spine
         spine = read_spine(source, names, container=obj.getParentGeoFeatureGroup())
-        return kernel.pnkernel().canal_surface(spine.curve, radius_law(obj, spine))
+        return Base(kernel.pnkernel().canal_surface(spine.curve, radius_law(obj, spine)))
 
     def onChanged(self, obj, name):
         # While a document is read, other properties may not be there yet.
@@ -75,23 +78,14 @@ def make_canal_surface(spine, radius, distance=0, *, document=None, name="CanalS
     Raises AttributeError or TypeError for a property that does not exist or cannot have the value;
     nothing is then left in the document.
     """
-    source, names = spine if isinstance(spine, (tuple, list)) else (spine, [])
-    values = {"Spine": (source, names), "Distance": distance, **_radius_values(radius)}
-    document = document or source.Document
-    obj = document.addObject("Part::FeaturePython", name)
-    try:
-        CanalSurface(obj)
-        for property_name, value in {**values, **properties}.items():
-            setattr(obj, property_name, value)
-    except Exception:
-        document.removeObject(obj.Name)
-        raise
-    if FreeCAD.GuiUp:
-        from pnsurfaces.view_provider import ViewProviderPNSurface
-
-        ViewProviderPNSurface(obj.ViewObject)
-    obj.recompute(True)
-    return obj
+    source, names = as_link(spine)
+    values = {
+        "Spine": (source, names),
+        "Distance": distance,
+        **_radius_values(radius),
+        **properties,
+    }
+    return make_feature(CanalSurface, document or source.Document, name, values)
 
 
 def _radius_values(radius):
@@ -105,6 +99,4 @@ def _radius_values(radius):
 
 
 def _show_inputs_of_law(obj):
-    used = INPUTS_OF_LAW[obj.RadiusLaw]
-    for name in {name for names in INPUTS_OF_LAW.values() for name in names}:
-        obj.setEditorMode(name, _SHOWN if name in used else _HIDDEN)
+    show_only(obj, INPUTS_OF_LAW[obj.RadiusLaw], set().union(*INPUTS_OF_LAW.values()))

@@ -7,24 +7,12 @@ import numpy as np
 
 from pnsurfaces.compat import QtCore, connect
 from pnsurfaces.kernel import KernelMissing
-from pnsurfaces.panel import TaskPanel, load_form
+from pnsurfaces.panel import TaskPanel, load_form, title
 from pnsurfaces.radius_law import BEZIER_COEFFICIENTS, INPUTS_OF_LAW, LINEAR, VALUES_AT_VERTICES
+from pnsurfaces.selection import selected_spine
 from pnsurfaces.spine import read_spine
 
 translate = FreeCAD.Qt.translate
-
-
-def selected_spine(selection):
-    """The value of the property Spine for a selection (Gui.Selection.getSelectionEx()), or None.
-
-    The selected edges of one object, or all of an object that is selected as a whole.
-    """
-    if len(selection) != 1:
-        return None
-    source, chosen = selection[0].Object, selection[0].SubElementNames
-    names = [name for name in chosen if name.startswith("Edge")]
-    has_edges = hasattr(source, "Shape") and bool(source.Shape.Edges)
-    return (source, names) if has_edges and (names or not chosen) else None
 
 
 class RadiiModel(QtCore.QAbstractTableModel):
@@ -124,8 +112,7 @@ class CanalSurfacePanel(TaskPanel):
             recognised = _description(self._spine)
         except (ValueError, KernelMissing) as error:
             recognised = str(error)
-        title = ", ".join([source.Label, *names])
-        self._inputs.spine.setText(f"<b>{title}</b><br>{recognised}")
+        self._inputs.spine.setText(f"<b>{title(self.feature.Spine)}</b><br>{recognised}")
 
     def _show_radius_law(self):
         law = self.feature.RadiusLaw

@@ -5,9 +5,10 @@ import FreeCAD
 import FreeCADGui
 
 from pnsurfaces import kernel, preferences
-from pnsurfaces.canal_surface_panel import selected_spine
 from pnsurfaces.compat import QtCore, QtWidgets
+from pnsurfaces.edge_chain import end, read_edge_chain, start
 from pnsurfaces.panel import literal
+from pnsurfaces.selection import selected_face, selected_pair, selected_spine
 
 QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 translate = FreeCAD.Qt.translate
@@ -15,21 +16,26 @@ translate = FreeCAD.Qt.translate
 # A tube as thick as a tenth of the spine's length is seen at once and seldom meets itself.
 _LENGTH_PER_RADIUS = 20
 
+# Half-axes of a new quadric, in millimetres: unequal, so that all three are seen.
+_HALF_AXES = (40.0, 30.0, 20.0)
 
-class CanalSurfaceCommand:
-    """Makes a canal surface around the selected spine and opens its task panel."""
+# Its bounds once it has some: they meet a quadric of any kind, and one side of a cone.
+_BOUNDS = {"MinX": -40.0, "MaxX": 40.0, "MinY": -30.0, "MaxY": 30.0, "MinZ": 0.0, "MaxZ": 40.0}
 
-    name = "PNSurfaces_CanalSurface"
+
+class CreationCommand:
+    """Makes a surface of what is selected and opens its task panel.
+
+    A subclass names it and turns the selection into the call that makes the surface.
+    """
+
+    name = ""
+    menu_text = ""
+    tooltip = ""
+    transaction = ""
 
     def GetResources(self):
-        return {
-            "Pixmap": self.name,
-            "MenuText": QT_TRANSLATE_NOOP("PNSurfaces_CanalSurface", "Canal surface…"),
-            "ToolTip": QT_TRANSLATE_NOOP(
-                "PNSurfaces_CanalSurface",
-                "Creates the exact pipe of varying radius around a spine, and its exact offsets",
-            ),
-        }
+        return {"Pixmap": self.name, "MenuText": self.menu_text, "ToolTip": self.tooltip}
 
     def IsActive(self):
         return FreeCAD.ActiveDocument is not None
@@ -37,28 +43,98 @@ class CanalSurfaceCommand:
     def Activated(self):
         try:
             kernel.pnkernel()
-        except kernel.KernelMissing as error:
+            creation = self.creation(FreeCADGui.Selection.getSelectionEx())
+        except (kernel.KernelMissing, NothingSelected) as error:
             _explain(str(error))
             return
-        spine = selected_spine(FreeCADGui.Selection.getSelectionEx())
+        document = FreeCAD.ActiveDocument
+        # It stays open until the task panel is closed by OK or Cancel.
+        document.openTransaction(translate("PNSurfaces", self.transaction))
+        try:
+            FreeCADGui.doCommand("import pnsurfaces")
+            FreeCADGui.doCommand(creation)
+            FreeCADGui.getDocument(document.Name).setEdit(document.ActiveObject.Name)
+        except Exception:
+            FreeCAD.closeActiveTransaction(True)
+            raise
+
+    def creation(self, selection):
+        """The call that makes the surface, as Python source.
+
+        Raises NothingSelected with a sentence on what to select.
+        """
+        raise NotImplementedError
+
+
+class NothingSelected(ValueError):
+    """The selection is not what a command needs. The text is a sentence for the user."""
+
+
+class CanalSurfaceCommand(CreationCommand):
+    """Makes a canal surface around the selected spine and opens its task panel."""
+
+    name = "PNSurfaces_CanalSurface"
+    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_CanalSurface", "Canal surface…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "PNSurfaces_CanalSurface",
+        "Creates the exact pipe of varying radius around a spine, and its exact offsets",
+    )
+    transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Canal surface")
+
+    def creation(self, selection):
+        spine = selected_spine(selection)
         if spine is None:
-            _explain(
+            raise NothingSelected(
                 translate(
                     "PNSurfaces",
                     "Select the spine first: edges of one object, a wire or a sketch.",
                 )
             )
-            return
-        document = FreeCAD.ActiveDocument
-        # It stays open until the task panel is closed by OK or Cancel.
-        document.openTransaction(translate("PNSurfaces", "Canal surface"))
-        try:
-            FreeCADGui.doCommand("import pnsurfaces")
-            FreeCADGui.doCommand(_creation(spine))
-            FreeCADGui.getDocument(document.Name).setEdit(document.ActiveObject.Name)
-        except Exception:
-            FreeCAD.closeActiveTransaction(True)
-            raise
+        return _call("make_canal_surface", literal(spine), repr(_start_radius(spine)))
+
+
+class RuledOffsetCommand(CreationCommand):
+    """Makes the offset of a ruled surface of the selection and opens its task panel."""
+
+    name = "PNSurfaces_RuledOffset"
+    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_RuledOffset", "Ruled surface offset…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "PNSurfaces_RuledOffset",
+        "Creates the exact offset of the surface of straight lines between two curves",
+    )
+    transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Ruled surface offset")
+
+    def creation(self, selection):
+        face = selected_face(selection)
+        if face:
+            return _call("make_ruled_offset", literal(face), "None")
+        pair = selected_pair(selection)
+        if pair is None:
+            raise NothingSelected(
+                translate(
+                    "PNSurfaces",
+                    "Select two edges, wires or sketches first, or one ruled face.",
+                )
+            )
+        return _call("make_ruled_offset", *map(literal, pair), Reversed=_run_apart(*pair))
+
+
+class QuadricOffsetCommand(CreationCommand):
+    """Makes the offset of a quadric, of the selected face if there is one, and opens its panel."""
+
+    name = "PNSurfaces_QuadricOffset"
+    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_QuadricOffset", "Quadric offset…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "PNSurfaces_QuadricOffset",
+        "Creates the exact offset of an ellipsoid, hyperboloid, paraboloid, cone or cylinder",
+    )
+    transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Quadric offset")
+
+    def creation(self, selection):
+        face = selected_face(selection)
+        if face:
+            return _call("make_quadric_offset", literal(face), *map(repr, _HALF_AXES))
+        return _call("make_quadric_offset", repr("Ellipsoid"), *map(repr, _HALF_AXES), **_BOUNDS)
 
 
 class ExportStepCommand:
@@ -101,21 +177,23 @@ class ExportStepCommand:
 
 def register():
     """Makes the commands known to FreeCAD and returns their names, in the order of the toolbar."""
-    commands = [CanalSurfaceCommand(), ExportStepCommand()]
+    commands = [
+        CanalSurfaceCommand(),
+        RuledOffsetCommand(),
+        QuadricOffsetCommand(),
+        ExportStepCommand(),
+    ]
     for command in commands:
         FreeCADGui.addCommand(command.name, command)
     return [command.name for command in commands]
 
 
-def _creation(spine):
-    """The call that makes a canal surface around `spine`, as Python source."""
-    arguments = [
-        literal(spine),
-        repr(_start_radius(spine)),
-        repr(preferences.distance()),
-        f"ParameterLines={preferences.parameter_lines()!r}",
-    ]
-    return f"pnsurfaces.make_canal_surface({', '.join(arguments)})"
+def _call(function, *arguments, **properties):
+    """A call of pnsurfaces that makes a new surface as the preferences want it, as source."""
+    properties["ParameterLines"] = preferences.parameter_lines()
+    assignments = [f"{name}={value!r}" for name, value in properties.items()]
+    every = [*arguments, repr(preferences.distance()), *assignments]
+    return f"pnsurfaces.{function}({', '.join(every)})"
 
 
 def _start_radius(spine):
@@ -123,6 +201,18 @@ def _start_radius(spine):
     source, names = spine
     edges = [source.getSubObject(name) for name in names] or source.Shape.Edges
     return float(f"{sum(edge.Length for edge in edges) / _LENGTH_PER_RADIUS:.0e}")
+
+
+def _run_apart(first, second):
+    """Whether the ends of two curves are nearer when the second is run through backwards."""
+    try:
+        a, b = (read_edge_chain(*link).curves for link in (first, second))
+    except ValueError:
+        return False  # The feature says what is wrong with the edges.
+    ends = (start(a[0]), end(a[-1])), (start(b[0]), end(b[-1]))
+    straight = sum(p.distanceToPoint(q) for p, q in zip(*ends))
+    crossed = sum(p.distanceToPoint(q) for p, q in zip(ends[0], reversed(ends[1])))
+    return crossed < straight
 
 
 def _explain(sentence):

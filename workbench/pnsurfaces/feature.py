@@ -2,6 +2,7 @@
 """What all exact surfaces in the tree share: offset, output, results, status and storage."""
 
 from decimal import ROUND_UP, Context
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import FreeCAD
@@ -34,6 +35,23 @@ READ_ONLY = 1
 HIDDEN = 4
 OUTPUT = 8
 
+# Editor modes of FreeCAD's properties.
+_SHOWN = 0
+_HIDDEN = 2
+
+
+class Base(NamedTuple):
+    """The kernel's surface at distance 0, and what had to be found out about the input.
+
+    `notes` are sentences on what was done to the input; `exact` is whether nothing of it was
+    fitted; `results` are values of the subclass's own result properties, by name.
+    """
+
+    surface: Any
+    notes: tuple = ()
+    exact: bool = True
+    results: Any = MappingProxyType({})
+
 
 class Property(NamedTuple):
     """A property of a feature. `value` is its default, or the choices of an enumeration."""
@@ -46,7 +64,8 @@ class Property(NamedTuple):
     attributes: int = 0
 
 
-def _result(type_, name, doc):
+def result(type_, name, doc):
+    """A property that execute sets and the user reads."""
     return Property(type_, name, "Result", doc, attributes=READ_ONLY | OUTPUT)
 
 
@@ -66,27 +85,30 @@ OFFSET_INPUTS = (
 )
 
 RESULTS = (
-    _result("App::PropertyString", "Degree",
-            QT_TRANSLATE_NOOP("App::Property", "Degree along and across the faces")),
-    _result("App::PropertyInteger", "Poles",
-            QT_TRANSLATE_NOOP("App::Property", "Number of poles of all faces")),
-    _result("App::PropertyString", "Deviation",
-            QT_TRANSLATE_NOOP("App::Property",
-                              "Proven bound on the distance to the true surface")),
+    result("App::PropertyString", "Degree",
+           QT_TRANSLATE_NOOP("App::Property", "Degree along and across the faces")),
+    result("App::PropertyInteger", "Poles",
+           QT_TRANSLATE_NOOP("App::Property", "Number of poles of all faces")),
+    result("App::PropertyString", "Deviation",
+           QT_TRANSLATE_NOOP("App::Property",
+                             "Proven bound on the distance to the true surface")),
     # The property editor would show it as 0.00.
     Property("App::PropertyFloat", "DeviationBound", "Result",
              QT_TRANSLATE_NOOP("App::Property", "The same bound as a number, in millimetres"),
              attributes=READ_ONLY | HIDDEN | OUTPUT),
-    _result("App::PropertyBool", "Exact",
-            QT_TRANSLATE_NOOP("App::Property", "Whether only rounding to doubles deviates")),
-    _result("App::PropertyStringList", "Notes",
-            QT_TRANSLATE_NOOP("App::Property", "What else was done to the input")),
-    _result("App::PropertyDistance", "MinOffset",
-            QT_TRANSLATE_NOOP("App::Property", "Smallest distance without a singular point")),
-    _result("App::PropertyDistance", "MaxOffset",
-            QT_TRANSLATE_NOOP("App::Property", "Largest distance without a singular point")),
-    _result("App::PropertyString", "Status",
-            QT_TRANSLATE_NOOP("App::Property", "Valid, a warning or an error")),
+    result("App::PropertyString", "TrimDeviation",
+           QT_TRANSLATE_NOOP("App::Property",
+                             "Measured distance of the cut edges from the surface")),
+    result("App::PropertyBool", "Exact",
+           QT_TRANSLATE_NOOP("App::Property", "Whether only rounding to doubles deviates")),
+    result("App::PropertyStringList", "Notes",
+           QT_TRANSLATE_NOOP("App::Property", "What else was done to the input")),
+    result("App::PropertyDistance", "MinOffset",
+           QT_TRANSLATE_NOOP("App::Property", "Smallest distance without a singular point")),
+    result("App::PropertyDistance", "MaxOffset",
+           QT_TRANSLATE_NOOP("App::Property", "Largest distance without a singular point")),
+    result("App::PropertyString", "Status",
+           QT_TRANSLATE_NOOP("App::Property", "Valid, a warning or an error")),
     Property("App::PropertyInteger", "SchemaVersion", "Result",
              QT_TRANSLATE_NOOP("App::Property", "Version of this list of properties"),
              attributes=HIDDEN | OUTPUT),
@@ -107,8 +129,8 @@ class FeatureBase:
         self._add_missing_properties(obj)
         obj.Proxy = self
 
-    def surface(self, obj):
-        """The kernel's surface at distance 0, from the subclass's inputs."""
+    def base(self, obj):
+        """The surface at distance 0 (Base), from the subclass's inputs."""
         raise NotImplementedError
 
     def execute(self, obj):
@@ -134,13 +156,14 @@ class FeatureBase:
 
     def _computed(self, obj):
         """The shape and the values of the result properties, by name."""
-        surface = self.surface(obj)
+        base = self.base(obj)
         distances = SIDES[obj.Sides](obj.Distance.Value)
-        sections = [surface.offset(distance) for distance in distances]
+        sections = [base.surface.offset(distance) for distance in distances]
         lines = PARAMETER_LINES[obj.ParameterLines]
         faces = [section.bsplines(lines=lines) for section in sections]
         certificates = [section.certificate_of(lines) for section in sections]
-        return OUTPUTS[obj.Output](faces), _results(surface, sections, faces, certificates)
+        shape = OUTPUTS[obj.Output](faces)
+        return shape, {**_results(base, sections, faces, certificates), **base.results}
 
     def _restore_digits(self, obj):
         """Replaces a shape that lost digits in the file by the exact one, and no other shape."""
@@ -174,6 +197,38 @@ class FeatureBase:
         obj.SchemaVersion = self.schema_version
 
 
+def make_feature(proxy, document, name, values):
+    """A new computed feature with the proxy class `proxy` and these property values.
+
+    Whatever an assignment raises, nothing is then left in the document.
+    """
+    obj = document.addObject("Part::FeaturePython", name)
+    try:
+        proxy(obj)
+        for property_name, value in values.items():
+            setattr(obj, property_name, value)
+    except Exception:
+        document.removeObject(obj.Name)
+        raise
+    if FreeCAD.GuiUp:
+        from pnsurfaces.view_provider import ViewProviderPNSurface
+
+        ViewProviderPNSurface(obj.ViewObject)
+    obj.recompute(True)
+    return obj
+
+
+def show_only(obj, shown, names):
+    """Hides those of the properties `names` that are not in `shown`."""
+    for name in names:
+        obj.setEditorMode(name, _SHOWN if name in shown else _HIDDEN)
+
+
+def deviation_text(deviation):
+    """A distance in millimetres as text: the property editor would show a length as 0.00 mm."""
+    return f"{deviation:.1e} mm" if deviation else "0 mm"
+
+
 def _restore_view_provider(obj):
     """A document saved without FreeCAD's window knows no view provider, so no panel either."""
     if not FreeCAD.GuiUp:
@@ -184,12 +239,13 @@ def _restore_view_provider(obj):
         ViewProviderPNSurface(obj.ViewObject)
 
 
-def _results(surface, sections, faces, certificates):
-    """The values of the result properties, by name."""
-    notes = [note for certificate in certificates for note in certificate.notes]
+def _results(base, sections, faces, certificates):
+    """The values of the result properties that all features have, by name."""
+    notes = [*base.notes, *(note for certificate in certificates for note in certificate.notes)]
     every_face = [face for section_faces in faces for face in section_faces]
     bound = _rounded_up(max(certificate.deviation for certificate in certificates))
-    low, high = surface.regular_range
+    trim_deviation = max(certificate.trim_deviation for certificate in certificates)
+    low, high = base.surface.regular_range
     notes = list(dict.fromkeys(notes))
     warnings = _irregularities([section.distance for section in sections], low, high) + notes
     u_degree = max(face.u_degree for face in every_face)
@@ -197,9 +253,10 @@ def _results(surface, sections, faces, certificates):
     return {
         "Degree": f"{u_degree} x {v_degree}",
         "Poles": sum(face.weights.size for face in every_face),
-        "Deviation": f"{bound:.1e} mm",
+        "Deviation": deviation_text(bound),
         "DeviationBound": bound,
-        "Exact": all(certificate.exact for certificate in certificates),
+        "TrimDeviation": deviation_text(trim_deviation),
+        "Exact": base.exact and all(certificate.exact for certificate in certificates),
         "Notes": notes,
         "MinOffset": low,
         "MaxOffset": high,

@@ -28,6 +28,12 @@ def load_form(name):
     return FreeCADGui.PySideUic.loadUi(resources.form(name))
 
 
+def title(link):
+    """What a link property leads to, for the user: "Box, Edge1"."""
+    source, names = link
+    return ", ".join([source.Label, *names])
+
+
 @contextlib.contextmanager
 def _silent_report_view():
     """Keeps the Report view from opening at an unfinished number: the panel says what is wrong."""
@@ -142,6 +148,8 @@ class TaskPanel:
             widget.setToolTip(translate("App::Property", documentation))
             if isinstance(widget, QtWidgets.QComboBox):
                 self._bind_enumeration(widget, name)
+            elif isinstance(widget, QtWidgets.QCheckBox):
+                self._bind_switch(widget, name)
             else:
                 self._bind_quantity(widget, name)
 
@@ -149,6 +157,10 @@ class TaskPanel:
         combo_box.addItems(self.feature.getEnumerationsOfProperty(name))
         combo_box.setCurrentText(getattr(self.feature, name))
         connect(combo_box, "currentTextChanged(QString)", lambda text: self.assign(name, text))
+
+    def _bind_switch(self, check_box, name):
+        check_box.setChecked(getattr(self.feature, name))
+        connect(check_box, "toggled(bool)", lambda checked: self.assign(name, checked))
 
     def _bind_quantity(self, spin_box, name):
         FreeCADGui.ExpressionBinding(spin_box).bind(self.feature, name)

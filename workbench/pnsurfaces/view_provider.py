@@ -6,9 +6,17 @@ import FreeCADGui
 from pnsurfaces import resources
 from pnsurfaces.canal_surface import CanalSurface
 from pnsurfaces.canal_surface_panel import CanalSurfacePanel
+from pnsurfaces.quadric_offset import QuadricOffset
+from pnsurfaces.quadric_offset_panel import QuadricOffsetPanel
+from pnsurfaces.ruled_offset import RuledOffset
+from pnsurfaces.ruled_offset_panel import RuledOffsetPanel
 
 # The task panel that edits a feature of each class.
-PANELS = {CanalSurface: CanalSurfacePanel}
+PANELS = {
+    CanalSurface: CanalSurfacePanel,
+    QuadricOffset: QuadricOffsetPanel,
+    RuledOffset: RuledOffsetPanel,
+}
 
 # Edit modes other than this one (moving, colouring) are FreeCAD's own.
 _DEFAULT_MODE = 0
@@ -43,7 +51,8 @@ class ViewProviderPNSurface:
             for name in names
             if self.object.getTypeIdOfProperty(name) == "App::PropertyLinkSub"
         ]
-        return [link[0] for link in links if link]
+        # Two links may lead to one object.
+        return list(dict.fromkeys(link[0] for link in links if link))
 
     def doubleClicked(self, view_object):
         return FreeCADGui.getDocument(self.object.Document.Name).setEdit(self.object.Name)

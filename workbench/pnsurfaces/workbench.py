@@ -10,7 +10,7 @@ class PNSurfacesWorkbench(FreeCADGui.Workbench):
     """Exact offset surfaces."""
 
     MenuText = "PN Surfaces"
-    ToolTip = "Exact offset surfaces: pipes of varying radius and their offsets as B-splines"
+    ToolTip = "Exact offsets of pipes, ruled surfaces and quadrics, as B-splines"
     Icon = resources.icon("PNSurfaces")
 
     def Initialize(self):

@@ -78,6 +78,19 @@ RationalPolynomial gcd(const RationalPolynomial& a, const RationalPolynomial& b)
   return result;
 }
 
+BezoutIdentity extended_gcd(const RationalPolynomial& a, const RationalPolynomial& b) {
+  BezoutIdentity result;
+  fmpq_poly_xgcd(result.gcd.flint(), result.x.flint(), result.y.flint(), a.flint(), b.flint());
+  return result;
+}
+
+RationalPolynomial remainder(const RationalPolynomial& a, const RationalPolynomial& b) {
+  if (b.is_zero()) throw std::domain_error("remainder modulo the zero polynomial");
+  RationalPolynomial result;
+  fmpq_poly_rem(result.flint(), a.flint(), b.flint());
+  return result;
+}
+
 RationalPolynomial exact_quotient(const RationalPolynomial& a, const RationalPolynomial& b) {
   if (b.is_zero()) throw std::domain_error("division by the zero polynomial");
   RationalPolynomial quotient, remainder;

@@ -74,6 +74,15 @@ class RationalPolynomial {
 /// Monic greatest common divisor; zero when both are zero.
 RationalPolynomial gcd(const RationalPolynomial& a, const RationalPolynomial& b);
 
+/// a x + b y = gcd, the monic greatest common divisor of a and b, which are not both zero.
+struct BezoutIdentity {
+  RationalPolynomial gcd, x, y;
+};
+BezoutIdentity extended_gcd(const RationalPolynomial& a, const RationalPolynomial& b);
+
+/// a modulo b. Throws std::domain_error when b is zero.
+RationalPolynomial remainder(const RationalPolynomial& a, const RationalPolynomial& b);
+
 /// a / b when b divides a. Throws std::domain_error otherwise.
 RationalPolynomial exact_quotient(const RationalPolynomial& a, const RationalPolynomial& b);
 

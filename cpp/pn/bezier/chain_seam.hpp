@@ -9,26 +9,23 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "pn/bezier/target_lines.hpp"
 #include "pn/isotropic/envelope_chain.hpp"
 
 namespace pn {
 
-class ChainSeam {
+class ChainSeam : public TargetLines {
  public:
   /// `links` are the hypersurfaces of the chain's links in doubles.
   ChainSeam(const EnvelopeChain& chain, std::vector<IsotropicHypersurface<double>> links);
 
-  /// The even factor of a link at t in [0, 1].
-  Eigen::Matrix2d even(std::size_t link, double t) const;
-  /// Its derivative by t, nearly: the factor only has to be near the even one.
-  Eigen::Matrix2d even_derivative(std::size_t link, double t) const;
-
  private:
-  Eigen::Matrix2d factor(std::size_t link, double t) const;
+  /// The even factor.
+  Eigen::Matrix2d factor(std::size_t link, double t) const override;
 
   std::vector<IsotropicHypersurface<double>> links_;
-  std::vector<std::vector<Eigen::Vector3d>> directions_;  ///< of the frame, on a grid of each link
-  std::vector<std::vector<Eigen::Matrix2d>> factors_;  ///< on the same grid, with continuous sign
+  std::vector<std::vector<Eigen::Vector3d>>
+      directions_;  ///< of the frame, on the grid of each link
   double turn_per_link_ = 0;
 };
 

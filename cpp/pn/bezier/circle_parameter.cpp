@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/bezier/circle_parameter.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "pn/bezier/knot_insertion.hpp"
+#include "pn/isotropic/form_in_u.hpp"
 
 namespace pn {
 namespace {
 
 using Point = std::array<Rational, 2>;
+
+/// Bernstein coefficients of a polynomial in s.
+using Bernstein = std::vector<Rational>;
 
 /// c_j, rounded to the 24 bits of a float so that all products stay short.
 Point control_point(int j, int spans) {
@@ -26,52 +34,119 @@ Point midpoint(const Point& a, const Point& b) {
   return {(a[0] + b[0]) * half, (a[1] + b[1]) * half};
 }
 
-/// The coefficients of the bilinear form of q at (a, b).
-std::array<Rational, 3> product(const Point& a, const Point& b) {
-  return {a[0] * b[0], a[0] * b[1] + a[1] * b[0], a[1] * b[1]};
+Rational binomial(int n, int j) { return Rational(static_cast<long>(small_binomial(n, j))); }
+
+Bernstein operator*(const Bernstein& a, const Bernstein& b) {
+  const int n = static_cast<int>(a.size()) - 1, m = static_cast<int>(b.size()) - 1;
+  Bernstein product(static_cast<std::size_t>(n + m) + 1);
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= m; ++j) {
+      product[i + j] += a[i] * b[j] * (binomial(n, i) * binomial(m, j) / binomial(n + m, i + j));
+    }
+  }
+  return product;
 }
 
-std::array<Rational, 3> weighted_sum(const Rational& x, const std::array<Rational, 3>& a,
-                                     const Rational& y, const std::array<Rational, 3>& b) {
-  return {x * a[0] + y * b[0], x * a[1] + y * b[1], x * a[2] + y * b[2]};
+Bernstein power(const Bernstein& a, int exponent) {
+  Bernstein result{Rational(1)};
+  for (int i = 0; i < exponent; ++i) result = result * a;
+  return result;
 }
 
-/// The Bernstein coefficients of the square of a quadratic Bezier curve.
-std::array<std::array<Rational, 3>, 5> squared(const Point& a, const Point& b, const Point& c) {
-  const Rational third = Rational(1) / Rational(3), two_thirds = third + third;
-  return {product(a, a), product(a, b),
-          weighted_sum(third, product(a, c), two_thirds, product(b, b)), product(b, c),
-          product(c, c)};
+/// The columns of a form on the Bezier curve p(s) with these control points.
+std::vector<std::vector<Rational>> composed(const std::vector<Point>& p, int form_degree) {
+  Bernstein u0, u1;
+  for (const Point& point : p) {
+    u0.push_back(point[0]);
+    u1.push_back(point[1]);
+  }
+  const std::size_t count = form_degree * (p.size() - 1) + 1;
+  std::vector<std::vector<Rational>> columns(count);
+  for (int i = 0; i <= form_degree; ++i) {
+    const Bernstein monomial = power(u0, form_degree - i) * power(u1, i);
+    for (std::size_t j = 0; j < count; ++j) {
+      columns[j].push_back(monomial[j] * binomial(form_degree, i));
+    }
+  }
+  return columns;
 }
 
 }  // namespace
 
-CircleColumns whole_circle(int spans) {
+CircleColumns circle_part(int first, int last, int spans, int form_degree) {
   CircleColumns circle;
-  circle.degree = 4;
-  for (int j = 0; j <= spans; ++j) {
+  circle.degree = 2 * form_degree;
+  for (int j = first; j <= last; ++j) {
+    const bool is_end = j == first || j == last;
     circle.knots.push_back(j);
-    circle.multiplicities.push_back(j == 0 || j == spans ? 5 : 3);
+    circle.multiplicities.push_back(is_end ? circle.degree + 1 : circle.degree - 1);
   }
-  for (int j = 0; j < spans; ++j) {
+  for (int j = first; j < last; ++j) {
     const Point a = control_point(j, spans), b = control_point(j + 1, spans),
                 c = control_point(j + 2, spans);
-    const auto bezier = squared(midpoint(a, b), b, midpoint(b, c));
-    if (j == 0) circle.coefficients.push_back(bezier[0]);
-    // A knot of multiplicity 3 has no control point of its own: C1 makes it a mean of its
+    const auto bezier = composed({midpoint(a, b), b, midpoint(b, c)}, form_degree);
+    if (j == first) circle.coefficients.push_back(bezier.front());
+    // A knot of multiplicity degree - 1 has no control point of its own: C1 makes it a mean of its
     // neighbours.
-    circle.coefficients.insert(circle.coefficients.end(), {bezier[1], bezier[2], bezier[3]});
-    if (j == spans - 1) circle.coefficients.push_back(bezier[4]);
+    circle.coefficients.insert(circle.coefficients.end(), bezier.begin() + 1, bezier.end() - 1);
+    if (j == last - 1) circle.coefficients.push_back(bezier.back());
   }
   return circle;
 }
 
-CircleColumns circle_arc(int index, int arcs) {
-  const Point a = control_point(index, arcs), b = control_point(index + 1, arcs);
-  return {2,
+Eigen::Vector2d circle_point(double s, int spans) {
+  const int j = std::min(static_cast<int>(s), spans - 1);
+  const double x = s - j;
+  const auto in_doubles = [](const Point& p) {
+    return Eigen::Vector2d(p[0].to_double(), p[1].to_double());
+  };
+  const Point a = control_point(j, spans), b = control_point(j + 1, spans),
+              c = control_point(j + 2, spans);
+  return (1 - x) * (1 - x) * in_doubles(midpoint(a, b)) + 2 * x * (1 - x) * in_doubles(b) +
+         x * x * in_doubles(midpoint(b, c));
+}
+
+double circle_parameter(double u0, double u1, int spans) {
+  const double step = M_PI / spans, start = step / 2;
+  const double angle = std::atan2(u1, u0) - start;
+  const double turned = angle - M_PI * std::floor(angle / M_PI);
+  const int j = std::min(static_cast<int>(turned / step), spans - 1);
+  const auto across = [&](const Point& p) { return p[0].to_double() * u1 - p[1].to_double() * u0; };
+  const Point a = control_point(j, spans), b = control_point(j + 1, spans),
+              c = control_point(j + 2, spans);
+  // The component of p(s) across u, a quadratic in s - j with one zero in the span.
+  const double q0 = across(midpoint(a, b)), q1 = across(b), q2 = across(midpoint(b, c));
+  const double root = std::sqrt(std::max(0.0, q1 * q1 - q0 * q2));
+  const double larger = q1 < 0 ? q1 - root : q1 + root;
+  const double first = q0 / (q0 - larger), second = larger / (larger - q2);
+  return j + (std::abs(first - 0.5) < std::abs(second - 0.5) ? first : second);
+}
+
+CircleColumns circle_arc(int index, int arcs, int form_degree) {
+  return {form_degree,
           {static_cast<double>(index), static_cast<double>(index + 1)},
-          {3, 3},
-          {product(a, a), product(a, b), product(b, b)}};
+          {form_degree + 1, form_degree + 1},
+          composed({control_point(index, arcs), control_point(index + 1, arcs)}, form_degree)};
+}
+
+CircleColumns straight_band(int spans, int form_degree) {
+  SplineColumns<Rational> spline{
+      form_degree,
+      {},
+      composed({{Rational(1), Rational(0)}, {Rational(0), Rational(1)}}, form_degree)};
+  spline.knots.assign(static_cast<std::size_t>(form_degree) + 1, Rational(0));
+  spline.knots.resize(2 * spline.knots.size(), Rational(1));
+  CircleColumns band{form_degree, {0}, {form_degree + 1}, {}};
+  for (int i = 1; i < spans; ++i) {
+    const Rational knot = Rational(i) / Rational(spans);
+    spline = with_knot(spline, knot, [](const Rational& x) { return x; });
+    band.knots.push_back(knot.to_double());
+    band.multiplicities.push_back(1);
+  }
+  band.knots.push_back(1);
+  band.multiplicities.push_back(form_degree + 1);
+  band.coefficients = std::move(spline.points);
+  return band;
 }
 
 }  // namespace pn

@@ -2,32 +2,51 @@
 #include "pn/bezier/evaluation.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace pn {
 namespace {
 
-/// The nonzero basis functions at a parameter and the index of the first of them.
-struct ActiveBasis {
-  std::size_t first;
-  std::vector<double> values;
+/// The 2 p knots around a span, each as often as it counts, and the number of knots before them.
+struct KnotsAround {
+  std::vector<double> flat;
+  std::size_t before;
 };
+
+KnotsAround knots_around(std::size_t p, const std::vector<double>& knots,
+                         const std::vector<int>& multiplicities, double parameter) {
+  // The last span holds its right end too.
+  const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, parameter);
+  const auto span = static_cast<std::size_t>(above - knots.begin()) - 1;
+  const std::size_t up_to_span = static_cast<std::size_t>(std::accumulate(
+      multiplicities.begin(), multiplicities.begin() + static_cast<int>(span) + 1, 0));
+  std::vector<double> flat(2 * p);
+  std::size_t filled = 0;
+  for (std::size_t i = span + 1; filled < p; --i) {
+    for (int copy = 0; copy < multiplicities[i - 1] && filled < p; ++copy) {
+      flat[p - 1 - filled++] = knots[i - 1];
+    }
+  }
+  for (std::size_t i = span + 1; filled < 2 * p; ++i) {
+    for (int copy = 0; copy < multiplicities[i] && filled < 2 * p; ++copy) {
+      flat[filled++] = knots[i];
+    }
+  }
+  return {std::move(flat), up_to_span - p};
+}
+
+}  // namespace
 
 ActiveBasis active_basis(int degree, const std::vector<double>& knots,
                          const std::vector<int>& multiplicities, double parameter) {
   parameter = std::clamp(parameter, knots.front(), knots.back());
-  std::vector<double> flat;
-  for (std::size_t i = 0; i < knots.size(); ++i)
-    flat.insert(flat.end(), multiplicities[i], knots[i]);
   const auto p = static_cast<std::size_t>(degree);
-  const std::size_t count = flat.size() - p - 1;
-  const auto above = std::upper_bound(flat.begin() + static_cast<std::ptrdiff_t>(p),
-                                      flat.begin() + static_cast<std::ptrdiff_t>(count), parameter);
-  const std::size_t span = static_cast<std::size_t>(above - flat.begin()) - 1;
+  const auto [flat, before] = knots_around(p, knots, multiplicities, parameter);
   std::vector<double> values(p + 1, 0.0), left(p + 1), right(p + 1);
   values[0] = 1;
   for (std::size_t j = 1; j <= p; ++j) {
-    left[j] = parameter - flat[span + 1 - j];
-    right[j] = flat[span + j] - parameter;
+    left[j] = parameter - flat[p - j];
+    right[j] = flat[p - 1 + j] - parameter;
     double saved = 0;
     for (std::size_t r = 0; r < j; ++r) {
       const double share = values[r] / (right[r + 1] + left[j - r]);
@@ -36,10 +55,8 @@ ActiveBasis active_basis(int degree, const std::vector<double>& knots,
     }
     values[j] = saved;
   }
-  return {span - p, std::move(values)};
+  return {before - 1, std::move(values)};
 }
-
-}  // namespace
 
 std::array<double, 3> evaluate(const BSplineSurface& surface, double u, double v) {
   const ActiveBasis along =

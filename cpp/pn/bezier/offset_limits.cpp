@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "pn/algebra/bernstein.hpp"
-#include "pn/algebra/parallel.hpp"
 #include "pn/algebra/precision.hpp"
 #include "pn/algebra/roots.hpp"
+#include "pn/bezier/proved_limit.hpp"
 
 namespace pn {
 namespace {
@@ -17,20 +17,15 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Differences of 1e-9 of large coefficients of degree 40 are mostly certain with so many bits.
 constexpr long kFirstBits = 192;
-/// With each precision the distance may back off from the least sample by so many tolerances.
-constexpr double kMostTolerances = 8;
-/// And so many distances are tried.
-constexpr int kMostTries = 100;
+/// With each precision the distance may back off from the least sample by 8 tolerances. The
+/// farthest is, with the default tolerance, a billion times the size of the surface.
+constexpr Margins kMargins = {2, 8, 1e18};
 /// Intervals are halved this often before a distance counts as not provable.
 constexpr int kMostHalvings = 40;
 /// And a proof that takes more intervals than this lacks precision.
 constexpr int kMostIntervals = 4096;
 /// Samples that look for the critical place of a link; the proof does not rest on them.
 constexpr int kSamples = 33;
-
-/// Where no sample is finite but no proof succeeds either, so many tolerances are proved instead:
-/// with the default tolerance a billion times the size of the surface.
-constexpr double kFarthest = 1e18;
 
 using Polynomial = std::vector<RealBall>;  // Bernstein coefficients
 
@@ -95,7 +90,7 @@ class RadiusLimit : public Limit {
 class FocalLimit : public Limit {
  public:
   FocalLimit(const ChainLink& link, long bits)
-      : FocalLimit(link.envelope.curve(), link.envelope.circles(), link.content, bits) {}
+      : FocalLimit(link.spheres->curve, link.spheres->circles, link.spheres->content, bits) {}
 
   /// K <= 0 on the whole link, proved: no distance outwards is too large.
   bool is_unlimited() const { return unlimited_; }
@@ -176,12 +171,6 @@ double least_sample(const Limit& limit) {
   return least.value;
 }
 
-/// What a link says to a distance.
-struct Verdict {
-  bool proved;
-  double least_sample;  ///< met on the way to the proof
-};
-
 Verdict verdict(const Limit& limit, double distance) {
   struct Interval {
     std::vector<Polynomial> conditions;
@@ -215,39 +204,10 @@ Verdict verdict(const Limit& limit, double distance) {
   return {true, least};
 }
 
-/// The largest distance within all limits that is proved, below their least sample by the
-/// tolerance.
-template <class SomeLimit>
-double proved_limit(const std::vector<SomeLimit>& limits, double tolerance, double least_useful) {
-  std::vector<double> samples(limits.size());
-  for_each_index(limits.size(), [&](std::size_t i) { samples[i] = least_sample(limits[i]); });
-  double least = *std::min_element(samples.begin(), samples.end());
-  least = std::min(least, kFarthest * tolerance);
-  double margin = tolerance;
-  for (int tries = 0; tries < kMostTries && margin <= kMostTolerances * tolerance; ++tries) {
-    const double distance = least - margin;
-    if (distance <= least_useful) return least_useful;
-    std::vector<Verdict> verdicts(limits.size());
-    for_each_index(limits.size(),
-                   [&](std::size_t i) { verdicts[i] = verdict(limits[i], distance); });
-    double smaller = kInfinity;
-    bool proved = true;
-    for (const Verdict& v : verdicts) {
-      smaller = std::min(smaller, v.least_sample);
-      proved = proved && v.proved;
-    }
-    if (proved) return distance;
-    // A smaller sample is a new place to start from; without one the proof lacks room.
-    margin = smaller < least ? tolerance : 2 * margin;
-    least = std::min(least, smaller);
-  }
-  throw Undecided("the limit of the offsets");
-}
-
 /// The spine has a cusp inside the link.
 bool turns_back(const ChainLink& link) {
   if (link.stands_still()) return false;
-  RationalPolynomial inside = link.content;
+  RationalPolynomial inside = link.spheres->content;
   for (const long end : {0L, 1L}) inside = inside.without_root(Rational(end));
   return !roots_in_unit_interval(inside).empty();
 }
@@ -256,18 +216,18 @@ OffsetRange range_at_precision(const EnvelopeChain& chain, double tolerance, lon
   std::vector<RadiusLimit> radii;
   std::vector<FocalLimit> focal;
   for (const ChainLink& link : chain.links) {
-    radii.emplace_back(link.envelope.curve(), bits);
+    radii.emplace_back(link.spheres->curve, bits);
     if (link.stands_still()) continue;
     FocalLimit limit(link, bits);
     if (!limit.is_unlimited()) focal.push_back(std::move(limit));
   }
-  const double lower = -proved_limit(radii, tolerance, -kInfinity);
-  return {lower, focal.empty() ? kInfinity : proved_limit(focal, tolerance, lower)};
+  const double lower = -proved_limit(radii, tolerance, -kInfinity, kMargins);
+  return {lower, focal.empty() ? kInfinity : proved_limit(focal, tolerance, lower, kMargins)};
 }
 
 /// The distance between the ends of a link's spine.
 double chord(const ChainLink& link) {
-  const SphereCurve& curve = link.envelope.curve();
+  const SphereCurve& curve = link.spheres->curve;
   double square = 0;
   for (const RationalPolynomial& centre : curve.centre) {
     const auto at = [&](long t) { return centre(Rational(t)) / curve.denominator(Rational(t)); };
@@ -293,7 +253,7 @@ OffsetRange regular_range(const EnvelopeChain& chain, double tolerance) {
 double default_tolerance(const EnvelopeChain& chain) {
   double size = std::numeric_limits<double>::min();
   for (const ChainLink& link : chain.links) {
-    const RadiusLimit radius(link.envelope.curve(), kFirstBits);
+    const RadiusLimit radius(link.spheres->curve, kFirstBits);
     size = std::max({size, std::abs(radius.sample(0)), std::abs(radius.sample(1)), chord(link)});
   }
   return 1e-9 * size;

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <memory>
 
 #include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/parallel.hpp"
 #include "pn/bezier/chain_seam.hpp"
 #include "pn/bezier/line_factor.hpp"
+#include "pn/bezier/region_lines.hpp"
+#include "pn/bezier/ruling_band.hpp"
 #include "pn/geometry_error.hpp"
 
 namespace pn {
@@ -86,19 +88,11 @@ SpinorMatrix<ComplexOf<T>> restricted_spinor(const SpinorMatrix<ComplexOf<T>>& a
   return on_segment(a, number<T>(segment.origin, precision), number<T>(segment.length, precision));
 }
 
-SphereCurveForms<RealBall> restricted_curve(const SphereCurveForms<RealBall>& curve,
-                                            const Segment& segment, long precision) {
-  if (segment.is_whole_link()) return curve;
-  const RealBall origin(segment.origin, precision), length(segment.length, precision);
-  SphereCurveForms<RealBall> result = curve;
-  for (std::size_t i = 0; i < 3; ++i) {
-    result.centre[i] = curve.centre[i].on_interval(origin, length);
-    result.axis[i] = curve.axis[i].on_interval(origin, length);
-  }
-  result.radius = curve.radius.on_interval(origin, length);
-  result.denominator = curve.denominator.on_interval(origin, length);
-  result.level = curve.level.on_interval(origin, length);
-  return result;
+Carrier<RealBall> restricted_carrier(const Carrier<RealBall>& carrier, const Segment& segment,
+                                     long precision) {
+  if (segment.is_whole_link()) return carrier;
+  return on_interval(carrier, RealBall(segment.origin, precision),
+                     RealBall(segment.length, precision));
 }
 
 /// What F must satisfy on each segment and how F is found, in doubles or in balls.
@@ -107,16 +101,16 @@ class FactorSequence {
  public:
   using C = ComplexOf<T>;
 
-  FactorSequence(const std::vector<Segment>& segments, bool closed, const ChainSeam& seam,
+  FactorSequence(const std::vector<Segment>& segments, bool closed, const TargetLines& target,
                  const std::vector<SpinorMatrix<C>>& spinors, long precision)
       : segments_(segments), closed_(closed), precision_(precision), parts_(segments.size()) {
     for_each_index(segments.size(), [&](std::size_t i) {
       const Segment& segment = segments[i];
-      parts_[i] = {
-          {end_value(spinors[i], 0), end_value(spinors[i], 1)},
-          {even_end(seam, segment, segment.left()), even_end(seam, segment, segment.right())},
-          short_doubles<T>(seam.even(segment.link, segment.middle())),
-          spinors[i].degree[0] == 0};
+      parts_[i] = {{end_value(spinors[i], 0), end_value(spinors[i], 1)},
+                   {target_end(target, segment, segment.left()),
+                    target_end(target, segment, segment.right())},
+                   short_doubles<T>(target.at(segment.link, segment.middle())),
+                   spinors[i].degree[0] == 0};
     });
   }
 
@@ -142,22 +136,23 @@ class FactorSequence {
     const Segment& segment = segments_[i];
     const Part& part = parts_[i];
     const bool closes = closed_ && i + 1 == segments_.size();
-    const bool smooth_left = segment.joint_before == Joint::kSmooth && i > 0;
+    const bool meets_left = i > 0 && segment.joint_before != Joint::kNone;
+    const bool smooth_left = meets_left && segment.joint_before == Joint::kSmooth;
     const bool smooth_right = closes && segments_.front().joint_before == Joint::kSmooth;
 
-    LineEnd<T> left = part.even[0];
-    if (i > 0) {
+    LineEnd<T> left = part.target[0];
+    if (meets_left) {
       const LineEnd<T> met =
           matched_to(i, 0, i - 1, finished(parts_[i - 1].ends[1], factors_[i - 1].ends[1]));
       left = {met.value, smooth_left ? met.slope : left.slope};
     }
     const int degree = std::min(smooth_left || smooth_right ? 3 : 2, segment.lines_degree);
-    // Lines that cannot turn are even in the middle, or where those before them end.
-    if (degree == 0) return constant_line(i > 0 ? left.value : part.middle);
+    // Lines that cannot turn are right in the middle, or where those before them end.
+    if (degree == 0) return constant_line(meets_left ? left.value : part.middle);
     // On a cylinder or cone what is even at one end is even everywhere.
     if (part.is_constant && !smooth_left && !closes) return constant_line(left.value);
 
-    LineEnd<T> right = part.even[1];
+    LineEnd<T> right = part.target[1];
     if (closes) {
       const LineEnd<T>& start = i > 0 ? factors_.front().ends[0] : left;
       const LineEnd<T> met = matched_to(i, 1, 0, finished(parts_[0].ends[0], start));
@@ -168,19 +163,18 @@ class FactorSequence {
     return parabola_through(left.value, part.middle, right.value);
   }
 
-  /// What a segment brings along: A at its ends, and the even factor there and in the middle.
+  /// What a segment brings along: A at its ends, and the target there and in the middle.
   struct Part {
     std::array<EndValue<C>, 2> ends;
-    std::array<LineEnd<T>, 2> even;
+    std::array<LineEnd<T>, 2> target;
     Matrix<T> middle;
     bool is_constant;
   };
 
-  /// The even factor of a segment's link at t, as short doubles; its slope in the segment's
-  /// parameter.
-  static LineEnd<T> even_end(const ChainSeam& seam, const Segment& segment, double t) {
-    return {short_doubles<T>(seam.even(segment.link, t)),
-            short_doubles<T>(seam.even_derivative(segment.link, t) * segment.length.to_double())};
+  /// The target on a segment's link at t, as short doubles; its slope in the segment's parameter.
+  static LineEnd<T> target_end(const TargetLines& target, const Segment& segment, double t) {
+    return {short_doubles<T>(target.at(segment.link, t)),
+            short_doubles<T>(target.derivative(segment.link, t) * segment.length.to_double())};
   }
 
   /// A F at an end.
@@ -194,7 +188,7 @@ class FactorSequence {
                         const EndValue<C>& finished_neighbour) const {
     const Part& part = parts_[own];
     return matched<T>(part.ends[end], finished_neighbour, stretch(own, neighbour),
-                      midpoint(part.even[end].value));
+                      midpoint(part.target[end].value));
   }
 
   /// The length of one segment over that of another, as the knots have it.
@@ -216,19 +210,18 @@ struct WeightRange {
   double least, largest;
 };
 
-/// The Bernstein coefficients of w4 over a segment and the columns around the circle.
-WeightRange weight_range(const SpinorMatrix<std::complex<double>>& spinor,
-                         const std::vector<CircleColumns>& circle) {
-  const QuadraticInU<double> w4 = isotropic_vector<double>(spinor)[3];
-  std::array<std::vector<double>, 3> rows;
-  for (std::size_t q = 0; q < 3; ++q) rows[q] = to_bernstein(w4.coefficient[q].coefficients());
-  WeightRange range{INFINITY, 0};
+/// The Bernstein coefficients of a form over a segment and the columns around the circle.
+WeightRange weight_range(const FormInU<double>& form, const std::vector<CircleColumns>& circle) {
+  std::vector<std::vector<double>> rows;
+  for (const Form<double>& c : form.coefficient) rows.push_back(to_bernstein(c.coefficients()));
+  WeightRange range{INFINITY, -INFINITY};
   for (const CircleColumns& columns : circle) {
     for (const auto& column : columns.coefficients) {
-      const double c0 = column[0].to_double(), c1 = column[1].to_double(),
-                   c2 = column[2].to_double();
+      std::vector<double> factors;
+      for (const Rational& x : column) factors.push_back(x.to_double());
       for (std::size_t i = 0; i < rows[0].size(); ++i) {
-        const double weight = c0 * rows[0][i] + c1 * rows[1][i] + c2 * rows[2][i];
+        double weight = 0;
+        for (std::size_t q = 0; q < rows.size(); ++q) weight += factors[q] * rows[q][i];
         range.least = std::min(range.least, weight);
         range.largest = std::max(range.largest, weight);
       }
@@ -238,9 +231,30 @@ WeightRange weight_range(const SpinorMatrix<std::complex<double>>& spinor,
 }
 
 /// Room for the degree of F under OpenCASCADE's limit.
-int room_for_lines(const AlongCurve& envelope) {
-  return std::max(0, (kLargestDegree - envelope.degree()) / 2);
+int room_for_lines(const Envelope& envelope) {
+  return std::max(0, (kLargestDegree - envelope.degree()) / envelope.degree_per_line());
 }
+
+/// How the lines of a band are tried: the degree of F, the margin beyond the directrices as a part
+/// of the rulings, and whether segments may be halved.
+struct BandAttempt {
+  int lines_degree;
+  double margin;
+  bool halves;
+};
+
+/// From few poles and little to trim away to what always ends well.
+constexpr std::array<BandAttempt, 8> kBandAttempts = {{{0, 0.1, false},
+                                                       {1, 0.1, false},
+                                                       {1, 0.3, false},
+                                                       {2, 0.1, false},
+                                                       {2, 0.3, false},
+                                                       {2, 0.1, true},
+                                                       {2, 0.3, true},
+                                                       {2, 1.0, true}}};
+
+/// Places on a segment at which the lines of a band are compared with its directrices.
+constexpr int kBandSamples = 17;
 
 class Planner {
  public:
@@ -252,50 +266,82 @@ class Planner {
       gammas_[i] = chain.links[i].envelope.enclosure(precision);
       estimates_[i] = midpoint(gammas_[i]);
     });
-    seam_.emplace(chain, estimates_);
-    for (std::size_t i = 0; i < chain.links.size(); ++i) {
-      const ChainLink& link = chain.links[i];
-      const double begin = link.stands_still() ? 0 : link.begin;
-      const double end = link.stands_still() ? 1 : link.end;
-      segments_.push_back(
-          {i, begin, end, Rational(0), Rational(1), joint_before(i), lines_degree(i)});
-    }
-    // The last lines of a closed chain have to come back to the first.
-    if (chain.closed) segments_.back().lines_degree = std::max(1, segments_.back().lines_degree);
   }
 
   std::vector<LinedSegment> segments() {
-    while (refine_uneven_segments()) {
+    if (std::holds_alternative<RulingBand>(chain_.extent)) {
+      plan_band();
+    } else {
+      plan_circles();
     }
     const std::vector<SpinorMatrix<ComplexBall>> spinors = restricted_spinors<RealBall>();
     const std::vector<LineFactor<RealBall>> factors = factors_for<RealBall>(spinors);
     std::vector<LinedSegment> result(segments_.size());
     for_each_index(result.size(), [&](std::size_t i) {
       const Segment& segment = segments_[i];
+      const SpinorMatrix<ComplexBall> spinor = lined<RealBall>(spinors[i], factors[i]);
+      const Carrier<RealBall> carrier =
+          restricted_carrier(gammas_[segment.link].carrier, segment, precision_);
       result[i] = {chain_.links[segment.link].stands_still(),
                    segment.begin,
                    segment.end,
                    segment.joint_before,
-                   restricted_curve(gammas_[segment.link].curve, segment, precision_),
-                   lined<RealBall>(spinors[i], factors[i])};
+                   midpoint(carrier),
+                   sections(carrier, isotropic_vector<RealBall>(spinor)),
+                   midpoint(spinor)};
     });
     return result;
   }
 
  private:
+  /// The links as segments with lines of these degrees.
+  template <class DegreeOf>
+  std::vector<Segment> whole_links(DegreeOf&& degree_of) const {
+    std::vector<Segment> segments;
+    for (std::size_t i = 0; i < chain_.links.size(); ++i) {
+      const ChainLink& link = chain_.links[i];
+      const double begin = link.stands_still() ? 0 : link.begin;
+      const double end = link.stands_still() ? 1 : link.end;
+      segments.push_back({i, begin, end, Rational(0), Rational(1), link.joint_before,
+                          std::min(degree_of(i), room(i))});
+    }
+    // The last lines of a closed chain have to come back to the first.
+    if (chain_.closed) segments.back().lines_degree = std::max(1, segments.back().lines_degree);
+    // A joint stays smooth only where both sides have room for cubic lines.
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const Segment& before = segments[(i + segments.size() - 1) % segments.size()];
+      const bool keeps = segments[i].lines_degree == 3 && before.lines_degree == 3;
+      Joint& joint = segments[i].joint_before;
+      if (joint == Joint::kSmooth && !keeps) joint = Joint::kTangent;
+    }
+    return segments;
+  }
+
+  void plan_circles() {
+    target_ = std::make_unique<ChainSeam>(chain_, estimates_);
+    segments_ = whole_links([&](std::size_t) { return lines_ == Lines::kEven ? 3 : 0; });
+    while (refine_uneven_segments()) {
+    }
+  }
+
+  void plan_band() {
+    const bool smooth =
+        std::any_of(chain_.links.begin(), chain_.links.end(),
+                    [](const ChainLink& link) { return link.joint_before == Joint::kSmooth; });
+    for (const BandAttempt& attempt : kBandAttempts) {
+      const int degree = smooth && lines_ == Lines::kEven ? 3 : attempt.lines_degree;
+      target_ = std::make_unique<BandLines>(estimates_, attempt.margin);
+      segments_ = whole_links([&](std::size_t) { return degree; });
+      do {
+        if (is_band_covered()) return;
+      } while (attempt.halves && halve_bad_segments());
+    }
+    throw GeometryError(ErrorCode::kWeightsNotPositive,
+                        "No patches with positive weights were found along the rulings; divide the "
+                        "curves into shorter spans.");
+  }
+
   int room(std::size_t link) const { return room_for_lines(chain_.links[link].envelope); }
-
-  int lines_degree(std::size_t link) const {
-    return lines_ == Lines::kEven ? std::min(3, room(link)) : 0;
-  }
-
-  /// A joint stays smooth only where both sides have room for cubic lines.
-  Joint joint_before(std::size_t i) const {
-    const Joint joint = chain_.links[i].joint_before;
-    const std::size_t before = (i + chain_.links.size() - 1) % chain_.links.size();
-    const bool keeps = lines_degree(i) == 3 && lines_degree(before) == 3;
-    return joint == Joint::kSmooth && !keeps ? Joint::kTangent : joint;
-  }
 
   template <class T>
   const SpinorMatrix<ComplexOf<T>>& spinor_of(std::size_t link) const {
@@ -318,7 +364,7 @@ class Planner {
   template <class T>
   std::vector<LineFactor<T>> factors_for(
       const std::vector<SpinorMatrix<ComplexOf<T>>>& spinors) const {
-    return FactorSequence<T>(segments_, chain_.closed, *seam_, spinors, precision_).factors();
+    return FactorSequence<T>(segments_, chain_.closed, *target_, spinors, precision_).factors();
   }
 
   /// Refines every segment with uneven weights; false when there is none (any more).
@@ -326,10 +372,11 @@ class Planner {
     const auto spinors = restricted_spinors<double>();
     const auto factors = factors_for<double>(spinors);
     const std::vector<CircleColumns> circle =
-        circle_columns(lines_, lines_ == Lines::kEven ? kLeastArcs : kMostArcs);
+        circle_columns(lines_, lines_ == Lines::kEven ? kLeastArcs : kMostArcs, 2);
     std::vector<WeightRange> ranges(segments_.size());
     for_each_index(ranges.size(), [&](std::size_t i) {
-      ranges[i] = weight_range(lined<double>(spinors[i], factors[i]), circle);
+      const auto spinor = lined<double>(spinors[i], factors[i]);
+      ranges[i] = weight_range(isotropic_vector<double>(spinor)[3], circle);
     });
     double largest = 0;
     for (const WeightRange& range : ranges) largest = std::max(largest, range.largest);
@@ -352,6 +399,57 @@ class Planner {
     return has_cut && segment.halvings < kMostHalvings && room(segment.link) > 0;
   }
 
+  /// Finds the segments of a band that do not reach its directrices or have uneven weights.
+  bool is_band_covered() {
+    const auto spinors = restricted_spinors<double>();
+    const auto factors = factors_for<double>(spinors);
+    const std::vector<CircleColumns> band = {straight_band(1, 4)};
+    bad_.assign(segments_.size(), 0);
+    for_each_index(segments_.size(), [&](std::size_t i) {
+      const Carrier<double> carrier = estimated_carrier(segments_[i]);
+      const auto w = isotropic_vector<double>(lined<double>(spinors[i], factors[i]));
+      const WeightRange weights = weight_range(sections(carrier, w).weight, band);
+      const bool is_even = weights.least > kLeastWeightRatio * weights.largest;
+      const auto& rulings = std::get<RulingForms<double>>(carrier);
+      bad_[i] = !is_even || !reaches(directrix_forms(rulings, w));
+    });
+    return std::none_of(bad_.begin(), bad_.end(), [](char bad) { return bad != 0; });
+  }
+
+  /// The carrier of a segment in doubles, in its own parameter.
+  Carrier<double> estimated_carrier(const Segment& segment) const {
+    if (segment.is_whole_link()) return estimates_[segment.link].carrier;
+    return midpoint(restricted_carrier(gammas_[segment.link].carrier, segment, precision_));
+  }
+
+  static bool reaches(const DirectrixForms& directrices) {
+    for (const FormInU<double>& directrix : directrices) {
+      for (int i = 0; i < kBandSamples; ++i) {
+        const double s = band_parameter(directrix, static_cast<double>(i) / (kBandSamples - 1));
+        if (!(s > 0 && s < 1)) return false;
+      }
+    }
+    return true;
+  }
+
+  bool halve_bad_segments() {
+    bool changed = false;
+    std::vector<Segment> refined;
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      const Segment& segment = segments_[i];
+      if (bad_[i] && can_be_refined(segment)) {
+        const auto parts =
+            halves(segment, segment.lines_degree == 3 ? Joint::kSmooth : Joint::kTangent);
+        refined.insert(refined.end(), parts.begin(), parts.end());
+        changed = true;
+      } else {
+        refined.push_back(segment);
+      }
+    }
+    segments_ = std::move(refined);
+    return changed;
+  }
+
   /// Lines that may turn, where they were constant; otherwise two halves.
   std::vector<Segment> refinement(Segment segment) const {
     if (segment.lines_degree == 0) {
@@ -368,18 +466,19 @@ class Planner {
   long precision_;
   std::vector<IsotropicHypersurface<RealBall>> gammas_;
   std::vector<IsotropicHypersurface<double>> estimates_;
-  std::optional<ChainSeam> seam_;
+  std::unique_ptr<const TargetLines> target_;
   std::vector<Segment> segments_;
+  std::vector<char> bad_;  ///< of a band: the segments to be halved
 };
 
 }  // namespace
 
-std::vector<CircleColumns> circle_columns(Lines lines, int arcs) {
+std::vector<CircleColumns> circle_columns(Lines lines, int arcs, int form_degree) {
   std::vector<CircleColumns> columns;
   if (lines == Lines::kEven) {
-    columns.push_back(whole_circle(arcs));
+    columns.push_back(circle_part(0, arcs, arcs, form_degree));
   } else {
-    for (int i = 0; i < arcs; ++i) columns.push_back(circle_arc(i, arcs));
+    for (int i = 0; i < arcs; ++i) columns.push_back(circle_arc(i, arcs, form_degree));
   }
   // A power of two, so the knots stay exact and evenly spaced.
   const double scale = static_cast<double>(kLeastArcs) / arcs;
@@ -389,7 +488,27 @@ std::vector<CircleColumns> circle_columns(Lines lines, int arcs) {
   return columns;
 }
 
+namespace {
+
+LinedSegment region_segment(const EnvelopeChain& chain, long precision) {
+  const RegionLines lines = region_lines(chain);
+  const IsotropicHypersurface<RealBall> gamma = chain.links.front().envelope.enclosure(precision);
+  const RealBall origin(Rational::exactly(lines.low), precision),
+      length(Rational::exactly(lines.high) - Rational::exactly(lines.low), precision);
+  const Carrier<RealBall> carrier = on_interval(gamma.carrier, origin, length);
+  const SpinorMatrix<ComplexBall> spinor =
+      lined<RealBall>(on_segment(gamma.spinor, origin, length),
+                      constant_line(short_doubles<RealBall>(lines.factor)));
+  return {false,           lines.low,         lines.high,
+          Joint::kNone,    midpoint(carrier), sections(carrier, isotropic_vector<RealBall>(spinor)),
+          midpoint(spinor)};
+}
+
+}  // namespace
+
 std::vector<LinedSegment> lined_segments(const EnvelopeChain& chain, Lines lines, long precision) {
+  if (std::holds_alternative<BoundedRegion>(chain.extent))
+    return {region_segment(chain, precision)};
   if (chain.closed && room_for_lines(chain.links.back().envelope) == 0) {
     throw GeometryError(
         ErrorCode::kDegreeTooHigh,

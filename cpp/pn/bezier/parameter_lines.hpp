@@ -30,17 +30,19 @@ inline constexpr int kLeastArcs = 4;
 inline constexpr int kMostArcs = 32;
 
 /// The faces around the circle, over [0, 4]: a closed one of so many arcs for even lines, one for
-/// every arc for lowest degree. `arcs` is 4 times a power of two.
-std::vector<CircleColumns> circle_columns(Lines lines, int arcs);
+/// every arc for lowest degree. `arcs` is 4 times a power of two; the forms have this degree in u.
+std::vector<CircleColumns> circle_columns(Lines lines, int arcs, int form_degree);
 
-/// A piece of the envelope with its lines, over the interval [begin, end] of the spine's parameter;
-/// of [0, 1] in a zone of a sphere, where the spine stands still.
+/// A piece of the envelope with its lines, over the interval [begin, end] of the designer's
+/// parameter; of [0, 1] in a zone of a sphere, where the spine stands still.
 struct LinedSegment {
   bool stands_still;
   double begin, end;
   Joint joint_before;
-  SphereCurveForms<RealBall> curve;  ///< forms in the segment's own parameter on [0, 1]
-  SpinorMatrix<ComplexBall> spinor;  ///< A F
+  Carrier<double>
+      carrier;  ///< nearly; in the segment's own parameter on [0, 1], as all that follow
+  HomogeneousSections<RealBall> sections;
+  SpinorMatrix<std::complex<double>> lines;  ///< A F, nearly
 };
 
 /// The segments of the chain in order, computed at this precision. Throws Undecided when it does

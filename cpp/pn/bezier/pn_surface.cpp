@@ -8,12 +8,19 @@
 
 #include "pn/algebra/precision.hpp"
 #include "pn/bezier/evaluation.hpp"
+#include "pn/bezier/trimming.hpp"
 #include "pn/geometry_error.hpp"
 
 namespace pn {
 namespace {
 
 std::size_t index_of(Lines lines) { return lines == Lines::kEven ? 0 : 1; }
+
+/// The edges of the faces of a net; they hold for all its sections.
+struct NetTrims {
+  std::shared_ptr<const SectionNet> net;
+  std::shared_ptr<const std::vector<FaceTrims>> trims;
+};
 
 }  // namespace
 
@@ -24,6 +31,7 @@ struct PNSurface::Shared {
   const EnvelopeChain chain;
   std::mutex mutex;
   std::array<std::shared_ptr<const SectionNet>, 2> nets;
+  std::array<NetTrims, 2> edges;
   std::optional<OffsetRange> range;
 
   /// The net at this precision or a higher one that was needed before.
@@ -35,10 +43,22 @@ struct PNSurface::Shared {
     }
     return net;
   }
+
+  /// The edges of the faces of this net.
+  std::shared_ptr<const std::vector<FaceTrims>> trims(
+      Lines lines, const std::shared_ptr<const SectionNet>& net) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    NetTrims& known = edges[index_of(lines)];
+    if (known.net != net) {
+      known = {net, std::make_shared<const std::vector<FaceTrims>>(pn::trims(chain, *net))};
+    }
+    return known.trims;
+  }
 };
 
 struct PNSurface::Section {
   std::vector<RoundedFace> faces;
+  double trim_deviation;
   std::shared_ptr<const SectionNet> net;
 
   /// The last face that begins at or before parameter t of the spine.
@@ -67,10 +87,12 @@ PNSurface PNSurface::offset(double d) const {
 }
 
 std::array<int, 2> PNSurface::degree() const {
-  int along = 0;
-  for (const ChainLink& link : shared_->chain.links)
-    along = std::max(along, link.envelope.degree());
-  return {along, 2};
+  std::array<int, 2> degree = {0, 0};
+  for (const ChainLink& link : shared_->chain.links) {
+    degree[0] = std::max(degree[0], link.envelope.degree());
+    degree[1] = std::max(degree[1], link.envelope.degree_around());
+  }
+  return degree;
 }
 
 OffsetRange PNSurface::regular_range() const {
@@ -86,7 +108,15 @@ std::shared_ptr<const PNSurface::Section> PNSurface::section(Lines lines) const 
   if (const auto known = std::atomic_load(&slot)) return known;
   const auto rounded = at_sufficient_precision([&](long precision) {
     const auto net = shared_->net(lines, precision);
-    return std::make_shared<const Section>(Section{net->section(distance_), net});
+    Section section{net->section(distance_), 0, net};
+    const auto trims = shared_->trims(lines, net);
+    for (std::size_t i = 0; i < trims->size(); ++i) {
+      BSplineSurface& surface = section.faces[i].surface;
+      section.trim_deviation =
+          std::max(section.trim_deviation, trim_deviation(surface, (*trims)[i]));
+      surface.trims = curves_of((*trims)[i]);
+    }
+    return std::make_shared<const Section>(std::move(section));
   });
   std::atomic_store(&slot, rounded);
   return rounded;
@@ -100,8 +130,8 @@ std::vector<BSplineSurface> PNSurface::faces(Lines lines) const {
 
 Certificate PNSurface::certificate(Lines lines) const {
   const auto rounded = section(lines);
-  Certificate certificate{0, rounded->net->precision(), shared_->chain.exact, {0, 0},
-                          0, shared_->chain.notes};
+  Certificate certificate{0, rounded->net->precision(), shared_->chain.exact,   {0, 0},
+                          0, shared_->chain.notes,      rounded->trim_deviation};
   for (const RoundedFace& face : rounded->faces) {
     certificate.deviation = std::max(certificate.deviation, face.deviation);
     certificate.bidegree[0] = std::max(certificate.bidegree[0], face.surface.u_degree);

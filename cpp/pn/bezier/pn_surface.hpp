@@ -22,6 +22,9 @@ struct Certificate {
   std::array<int, 2> bidegree;  ///< of the faces, the largest along and around
   std::size_t poles;            ///< of all faces
   std::vector<std::string> notes;
+  /// Distance [mm] of the edges of trimmed faces from the true boundary: measured, not proven; zero
+  /// for whole faces.
+  double trim_deviation;
 };
 
 struct SurfacePoint {

@@ -8,6 +8,8 @@
 #include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/parallel.hpp"
 #include "pn/algebra/roots.hpp"
+#include "pn/bezier/knot_insertion.hpp"
+#include "pn/bezier/region_lines.hpp"
 #include "pn/geometry_error.hpp"
 
 namespace pn {
@@ -16,56 +18,70 @@ namespace {
 /// A row of control points takes about ten microseconds, as long as to wake another thread.
 constexpr std::size_t kRowsPerTask = 32;
 
-/// The rows of a segment at a common degree: Bernstein coefficients of q00, q01, q11 in each row.
+/// The rows of control points of one homogeneous component: for each coefficient in u the Bernstein
+/// coefficients along.
+using ComponentRows = std::vector<std::vector<RealBall>>;
+
+/// The rows of a segment at a common degree.
 struct SegmentRows {
-  std::array<std::array<std::vector<RealBall>, 3>, 7> component;  ///< [x y z, V1 V2 V3, w][q][row]
+  std::array<ComponentRows, 3> point, direction;
+  ComponentRows weight;
 };
 
 int degree_of(const LinedSegment& segment) {
-  return segment.curve.denominator.degree() + 2 * segment.spinor.degree[0];
+  return segment.sections.weight.coefficient.front().degree();
 }
 
-SegmentRows rows_of(const LinedSegment& segment, int degree) {
-  const HomogeneousSections<RealBall> forms =
-      sections(segment.curve, isotropic_vector<RealBall>(segment.spinor));
-  const auto bernstein = [&](const Form<RealBall>& form) {
-    return to_bernstein(form.elevated(degree).coefficients());
-  };
-  SegmentRows rows;
-  for (std::size_t q = 0; q < 3; ++q) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      rows.component[i][q] = bernstein(forms.point[i].coefficient[q]);
-      rows.component[3 + i][q] = bernstein(forms.direction[i].coefficient[q]);
-    }
-    rows.component[6][q] = bernstein(forms.weight.coefficient[q]);
+ComponentRows rows_of(const FormInU<RealBall>& form, int degree) {
+  ComponentRows rows;
+  for (const Form<RealBall>& c : form.coefficient) {
+    rows.push_back(to_bernstein(c.elevated(degree).coefficients()));
   }
   return rows;
 }
 
-using ColumnWeights = std::array<RealBall, 3>;
-
-ColumnWeights in_balls(const std::array<Rational, 3>& column, long precision) {
-  return {RealBall(column[0], precision), RealBall(column[1], precision),
-          RealBall(column[2], precision)};
+SegmentRows rows_of(const LinedSegment& segment, int degree) {
+  SegmentRows rows;
+  for (std::size_t i = 0; i < 3; ++i) {
+    rows.point[i] = rows_of(segment.sections.point[i], degree);
+    rows.direction[i] = rows_of(segment.sections.direction[i], degree);
+  }
+  rows.weight = rows_of(segment.sections.weight, degree);
+  return rows;
 }
 
-RealBall value(const std::array<std::vector<RealBall>, 3>& component, std::size_t row,
-               const ColumnWeights& column) {
+using ColumnWeights = std::vector<RealBall>;
+
+ColumnWeights in_balls(const std::vector<Rational>& column, long precision) {
+  ColumnWeights weights;
+  for (const Rational& x : column) weights.emplace_back(x, precision);
+  return weights;
+}
+
+RealBall value(const ComponentRows& component, std::size_t row, const ColumnWeights& column) {
   RealBall sum = component[0][row] * column[0];
-  sum.add_product(component[1][row], column[1]);
-  sum.add_product(component[2][row], column[2]);
+  for (std::size_t q = 1; q < column.size(); ++q) sum.add_product(component[q][row], column[q]);
   return sum;
 }
 
 NetPole pole_of(const SegmentRows& rows, std::size_t row, const ColumnWeights& column) {
   NetPole pole;
-  pole.weight = value(rows.component[6], row, column);
+  pole.weight = value(rows.weight, row, column);
   const RealBall inverse = RealBall(1) / pole.weight;
   for (std::size_t i = 0; i < 3; ++i) {
-    pole.point[i] = value(rows.component[i], row, column) * inverse;
-    pole.direction[i] = value(rows.component[3 + i], row, column) * inverse;
+    pole.point[i] = value(rows.point[i], row, column) * inverse;
+    pole.direction[i] = value(rows.direction[i], row, column) * inverse;
   }
   return pole;
+}
+
+/// The doubles that divide a segment into equal spans.
+std::vector<double> inner_knots(const LinedSegment& segment, int spans) {
+  std::vector<double> knots;
+  for (int i = 1; i < spans; ++i) {
+    knots.push_back(segment.begin + (segment.end - segment.begin) * i / spans);
+  }
+  return knots;
 }
 
 /// A run of segments on one face along the spine: [first, last).
@@ -85,13 +101,17 @@ std::vector<Run> smooth_runs(const std::vector<LinedSegment>& segments) {
 }
 
 /// Knots along a run: C1, so inner ones have multiplicity degree - 1.
-BSplineSurface frame_of(const std::vector<LinedSegment>& segments, const Run& run,
+BSplineSurface frame_of(const std::vector<LinedSegment>& segments, const Run& run, int spans,
                         const CircleColumns& circle) {
   BSplineSurface frame;
   frame.u_degree = run.degree;
   for (std::size_t i = run.first; i < run.last; ++i) {
     frame.u_knots.push_back(segments[i].begin);
     frame.u_multiplicities.push_back(i == run.first ? run.degree + 1 : run.degree - 1);
+    for (const double knot : inner_knots(segments[i], spans)) {
+      frame.u_knots.push_back(knot);
+      frame.u_multiplicities.push_back(1);
+    }
   }
   frame.u_knots.push_back(segments[run.last - 1].end);
   frame.u_multiplicities.push_back(run.degree + 1);
@@ -107,13 +127,13 @@ struct RowPlace {
   std::size_t segment, row;
 };
 
-std::vector<RowPlace> control_rows(const Run& run) {
-  const auto degree = static_cast<std::size_t>(run.degree);
+std::vector<RowPlace> control_rows(const Run& run, int spans) {
+  const auto last = static_cast<std::size_t>(run.degree + spans - 1);
   std::vector<RowPlace> rows = {{run.first, 0}};
   for (std::size_t segment = run.first; segment < run.last; ++segment) {
-    for (std::size_t row = 1; row < degree; ++row) rows.push_back({segment, row});
+    for (std::size_t row = 1; row < last; ++row) rows.push_back({segment, row});
   }
-  rows.push_back({run.last - 1, degree});
+  rows.push_back({run.last - 1, last});
   return rows;
 }
 
@@ -125,31 +145,78 @@ std::vector<ColumnWeights> column_weights(const CircleColumns& circle, long prec
   return columns;
 }
 
+/// The rows over so many equal spans instead of one, with simple knots between them.
+SegmentRows with_inner_knots(const SegmentRows& rows, const std::vector<Rational>& knots,
+                             long precision) {
+  if (knots.empty()) return rows;
+  SegmentRows result = rows;
+  const auto refine = [&](ComponentRows& component) {
+    const std::size_t count = component[0].size();
+    SplineColumns<RealBall> spline{static_cast<int>(count) - 1, {}, {}};
+    spline.knots.assign(count, Rational(0));
+    spline.knots.resize(2 * count, Rational(1));
+    for (std::size_t row = 0; row < count; ++row) {
+      spline.points.emplace_back();
+      for (const auto& c : component) spline.points.back().push_back(c[row]);
+    }
+    for (const Rational& knot : knots) {
+      spline = with_knot(spline, knot, [&](const Rational& x) { return RealBall(x, precision); });
+    }
+    for (std::size_t q = 0; q < component.size(); ++q) {
+      component[q].clear();
+      for (const auto& point : spline.points) component[q].push_back(point[q]);
+    }
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    refine(result.point[i]);
+    refine(result.direction[i]);
+  }
+  refine(result.weight);
+  return result;
+}
+
+/// The same in the segment's own parameter.
+std::vector<Rational> own_parameters(const LinedSegment& segment,
+                                     const std::vector<double>& knots) {
+  const Rational begin = Rational::exactly(segment.begin), end = Rational::exactly(segment.end);
+  std::vector<Rational> result;
+  for (const double knot : knots) {
+    result.push_back((Rational::exactly(knot) - begin) / (end - begin));
+  }
+  return result;
+}
+
 /// The segments of a chain, brought to one degree on every face, and their rows.
 struct Strip {
-  std::vector<LinedSegment> segments;
+  const std::vector<LinedSegment>& segments;
   std::vector<Run> runs;
   std::vector<SegmentRows> rows;
+  int spans;  ///< of every segment along; more than one only where a segment is a face of its own
   long precision;
 };
 
-Strip strip_of(std::vector<LinedSegment> segments, long precision) {
-  Strip strip{std::move(segments), {}, {}, precision};
+Strip strip_of(const std::vector<LinedSegment>& segments, int spans, long precision) {
+  Strip strip{segments, {}, {}, spans, precision};
   strip.runs = smooth_runs(strip.segments);
   std::vector<int> degrees;
   for (const Run& run : strip.runs) degrees.resize(run.last, run.degree);
   strip.rows.resize(strip.segments.size());
-  for_each_index(strip.rows.size(),
-                 [&](std::size_t i) { strip.rows[i] = rows_of(strip.segments[i], degrees[i]); });
+  for_each_index(strip.rows.size(), [&](std::size_t i) {
+    const auto knots = own_parameters(segments[i], inner_knots(segments[i], spans));
+    strip.rows[i] = with_inner_knots(rows_of(segments[i], degrees[i]), knots, precision);
+  });
   return strip;
 }
 
-FaceNet face_net(const Strip& strip, const Run& run, const CircleColumns& circle) {
+FaceNet face_net(const Strip& strip, const Run& run, const CircleColumns& circle, int arcs) {
   FaceNet face;
-  face.frame = frame_of(strip.segments, run, circle);
+  face.frame = frame_of(strip.segments, run, strip.spans, circle);
+  face.arcs = arcs;
   face.stands_still = strip.segments[run.first].stands_still;
+  face.first_segment = run.first;
+  face.last_segment = run.last;
   const std::vector<ColumnWeights> columns = column_weights(circle, strip.precision);
-  const std::vector<RowPlace> places = control_rows(run);
+  const std::vector<RowPlace> places = control_rows(run, strip.spans);
   const bool closed = circle.coefficients.front() == circle.coefficients.back();
   const std::size_t count = columns.size();
   face.poles.resize(places.size() * count);
@@ -163,21 +230,22 @@ FaceNet face_net(const Strip& strip, const Run& run, const CircleColumns& circle
   return face;
 }
 
-bool has_negative_weight(const FaceNet& face) {
-  return std::any_of(face.poles.begin(), face.poles.end(), [](const NetPole& pole) {
+/// A weight below this part of the largest is as good as zero, and other faces are tried instead:
+/// 2^ to this power.
+constexpr int kNegligibleWeightBits = -40;
+
+/// Some weight is negative or negligible.
+bool has_bad_weight(const FaceNet& face) {
+  double largest = 0;
+  for (const NetPole& pole : face.poles) {
+    largest = std::max(largest, std::abs(pole.weight.midpoint()));
+  }
+  const double negligible = std::ldexp(largest, kNegligibleWeightBits);
+  return std::any_of(face.poles.begin(), face.poles.end(), [&](const NetPole& pole) {
+    if (pole.weight.magnitude_upper() <= negligible || pole.weight.is_negative()) return true;
     if (pole.weight.is_positive()) return false;
-    if (pole.weight.is_negative()) return true;
     throw Undecided("the sign of a weight");
   });
-}
-
-/// The faces with so many arcs around the circle: run by run, and within a run arc by arc.
-std::vector<FaceNet> face_nets(const Strip& strip, const std::vector<CircleColumns>& circle) {
-  std::vector<FaceNet> faces(strip.runs.size() * circle.size());
-  for_each_index(faces.size(), [&](std::size_t i) {
-    faces[i] = face_net(strip, strip.runs[i / circle.size()], circle[i % circle.size()]);
-  });
-  return faces;
 }
 
 /// Two end rows, one of which replaces the other: one circle, bit for bit.
@@ -188,14 +256,16 @@ std::vector<NetPole> exchanged(std::vector<NetPole>::iterator own,
   return replaced;
 }
 
-/// Gives every run the last row of the one before, and the last run of a closed chain the first
-/// row.
-std::vector<FaceNet> with_shared_rows(std::vector<FaceNet> faces, std::size_t around, bool closed) {
+/// Gives every run the last row of the one before where they meet, and the last run of a closed
+/// chain the first row.
+std::vector<FaceNet> with_shared_rows(std::vector<FaceNet> faces, std::size_t around, bool closed,
+                                      const std::vector<LinedSegment>& segments) {
   const auto last_row = [](FaceNet& face) {
     return face.poles.end() - static_cast<std::ptrdiff_t>(face.frame.v_count());
   };
   for (std::size_t i = around; i < faces.size(); ++i) {
     FaceNet &before = faces[i - around], &face = faces[i];
+    if (segments[face.first_segment].joint_before == Joint::kNone) continue;
     face.replaced_first = exchanged(face.poles.begin(), last_row(before), face.frame.v_count());
   }
   if (!closed) return faces;
@@ -332,16 +402,102 @@ RoundedFace rounded(const FaceNet& face, double exact_distance) {
   return {std::move(surface), deviation};
 }
 
+/// The columns of every face around or across, and into how many spans each segment is cut along.
+struct FaceChoice {
+  std::vector<CircleColumns> columns;
+  int arcs;  ///< of the whole circle; 0 for a band
+  int spans;
+};
+
+/// The halves of the circle.
+std::vector<CircleColumns> half_circles(int arcs, int form_degree) {
+  std::vector<CircleColumns> halves = {circle_part(0, arcs / 2, arcs, form_degree),
+                                       circle_part(arcs / 2, arcs, arcs, form_degree)};
+  for (CircleColumns& half : halves) {
+    for (double& knot : half.knots) knot *= static_cast<double>(kLeastArcs) / arcs;
+  }
+  return halves;
+}
+
+/// What is tried until all weights are positive, from few poles to many.
+class FaceChoices {
+ public:
+  FaceChoices(const EnvelopeChain& chain, Lines lines)
+      : lines_(lines), form_degree_(chain.links.front().envelope.degree_around()) {
+    std::visit([&](const auto& extent) { add(extent, chain); }, chain.extent);
+  }
+
+  const std::vector<FaceChoice>& all() const { return choices_; }
+
+ private:
+  static constexpr int kMostFactor = kMostArcs / kLeastArcs;
+
+  void add(const WholeCircle&, const EnvelopeChain&) {
+    for (int factor = 1; factor <= kMostFactor; factor *= 2) {
+      const int arcs = factor * kLeastArcs;
+      choices_.push_back({circle_columns(lines_, arcs, form_degree_), arcs, 1});
+    }
+  }
+  void add(const RulingBand&, const EnvelopeChain&) {
+    for (int factor = 1; factor <= kMostFactor; factor *= 2) {
+      choices_.push_back({{straight_band(factor, form_degree_)}, 0, 1});
+    }
+  }
+  void add(const BoundedRegion&, const EnvelopeChain& chain) {
+    const bool is_closed = region_lines(chain).is_closed;
+    for (int factor = 1; factor <= kMostFactor; factor *= 2) {
+      for (const int spans : {factor, 2 * factor}) {
+        const int arcs = factor * kLeastArcs;
+        if (is_closed) {
+          choices_.push_back({half_circles(arcs, form_degree_), arcs, spans});
+        } else {
+          choices_.push_back({{straight_band(factor, form_degree_)}, 0, spans});
+        }
+      }
+    }
+  }
+
+  Lines lines_;
+  int form_degree_;
+  std::vector<FaceChoice> choices_;
+};
+
+/// The faces: run by run, and within a run column set by column set.
+std::vector<FaceNet> face_nets(const Strip& strip, const FaceChoice& choice) {
+  const std::size_t around = choice.columns.size();
+  std::vector<FaceNet> faces(strip.runs.size() * around);
+  for_each_index(faces.size(), [&](std::size_t i) {
+    faces[i] = face_net(strip, strip.runs[i / around], choice.columns[i % around], choice.arcs);
+  });
+  return faces;
+}
+
+/// At a pole of the parametrization a row of control points is one point, and exported as one.
+void gather_at_poles(FaceNet& face) {
+  const auto gather = [&](std::size_t row) {
+    const std::size_t columns = face.frame.v_count();
+    NetPole* const poles = &face.poles[row * columns];
+    for (std::size_t j = 1; j < columns; ++j) {
+      poles[j].point = poles[0].point;
+      poles[j].direction = poles[0].direction;
+    }
+  };
+  if (face.frame.u_knots.front() == 0) gather(0);
+  if (face.frame.u_knots.back() == 1) gather(face.frame.u_count() - 1);
+}
+
 }  // namespace
 
 SectionNet::SectionNet(const EnvelopeChain& chain, Lines lines, long precision)
-    : precision_(precision) {
-  const Strip strip = strip_of(lined_segments(chain, lines, precision), precision);
-  for (int arcs = kLeastArcs; arcs <= kMostArcs; arcs *= 2) {
-    const std::vector<CircleColumns> circle = circle_columns(lines, arcs);
-    std::vector<FaceNet> faces = face_nets(strip, circle);
-    if (std::any_of(faces.begin(), faces.end(), has_negative_weight)) continue;
-    faces_ = with_shared_rows(std::move(faces), circle.size(), chain.closed);
+    : segments_(lined_segments(chain, lines, precision)), precision_(precision) {
+  const FaceChoices choices(chain, lines);
+  for (const FaceChoice& choice : choices.all()) {
+    const Strip strip = strip_of(segments_, choice.spans, precision);
+    std::vector<FaceNet> faces = face_nets(strip, choice);
+    if (std::any_of(faces.begin(), faces.end(), has_bad_weight)) continue;
+    faces_ = with_shared_rows(std::move(faces), choice.columns.size(), chain.closed, segments_);
+    if (!std::holds_alternative<BoundedRegion>(chain.extent)) return;
+    for (FaceNet& face : faces_) gather_at_poles(face);
     return;
   }
   throw GeometryError(ErrorCode::kWeightsNotPositive,

@@ -39,6 +39,9 @@ struct FaceNet {
   BSplineSurface frame;        ///< knots and degrees; no poles yet
   bool stands_still;           ///< a zone of a sphere: its first parameter is not the spine's
   std::vector<NetPole> poles;  ///< row-major, as in BSplineSurface
+  int arcs;                    ///< of the whole circle, of which the face has a part; 0 for an arc
+                               ///< of the circle that is a band u = (1 - s : s)
+  std::size_t first_segment, last_segment;  ///< it lies over the segments [first, last)
   /// The face's own first and last row where a neighbour's row replaces it, else empty.
   std::vector<NetPole> replaced_first, replaced_last;
 };
@@ -61,9 +64,11 @@ class SectionNet {
   std::vector<BSplineSurface> normals() const;
 
   const std::vector<FaceNet>& faces() const { return faces_; }
+  const std::vector<LinedSegment>& segments() const { return segments_; }
   long precision() const { return precision_; }
 
  private:
+  std::vector<LinedSegment> segments_;
   std::vector<FaceNet> faces_;
   long precision_;
 };

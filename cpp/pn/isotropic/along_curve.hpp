@@ -13,46 +13,17 @@
 // Proposition 4.1.)
 #pragma once
 
-#include <complex>
-#include <vector>
-
-#include "pn/isotropic/isotropic_hypersurface.hpp"
+#include "pn/isotropic/envelope.hpp"
 #include "pn/isotropic/sphere_curve.hpp"
 
 namespace pn {
 
-/// OpenCASCADE's largest degree of a B-spline; most other systems stop earlier.
-inline constexpr int kLargestDegree = 25;
+/// Curve and circles in the local parameter, with the roots of D there.
+LocalForms local_forms(const SphereCurve& curve, const CircleFamily& circles, long precision);
 
-class AlongCurve {
- public:
-  /// `circles` is the coprime circle family along `curve`, with D > 0 on [0, 1]. It need not stem
-  /// from f' (where f stands still, as at a corner of a spine, any family through the joints will
-  /// do). Throws GeometryError when every section exceeds the largest degree.
-  AlongCurve(SphereCurve curve, CircleFamily circles);
-
-  const SphereCurve& curve() const { return curve_; }
-  const CircleFamily& circles() const { return circles_; }
-
-  /// The local parameter is not t itself but the s of the substitution, moved to [0, 1].
-  bool is_substituted() const { return substituted_; }
-  /// The degree in the local parameter of every section, before lines are chosen.
-  int degree() const { return degree_; }
-
-  /// Gamma in balls at this working precision. Throws Undecided when it does not suffice.
-  IsotropicHypersurface<RealBall> enclosure(long precision) const;
-
- private:
-  void choose_roots(long precision);
-  void require_degree(int degree) const;
-
-  SphereCurve curve_;
-  CircleFamily circles_;
-  bool substituted_ = false;
-  int degree_ = 0;
-  long first_precision_ = 0;  ///< the one at which the roots were chosen
-  IsotropicHypersurface<RealBall> first_enclosure_;
-  std::vector<std::complex<double>> chosen_roots_;  ///< one for every conjugate pair and copy
-};
+/// `circles` is the coprime circle family along `curve`, with D > 0 on [0, 1]. It need not stem
+/// from f' (where f stands still, as at a corner of a spine, any family through the joints will
+/// do). Throws GeometryError when every section exceeds the largest degree.
+Envelope along_curve(const SphereCurve& curve, const CircleFamily& circles);
 
 }  // namespace pn

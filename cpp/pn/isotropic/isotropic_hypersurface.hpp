@@ -10,9 +10,9 @@
 // (M. Peternell, Rational two-parameter families of spheres and rational offset surfaces, Theorems
 // 9 and 13.) Offsetting is choosing another section of the same hypersurface.
 //
-// Here f(t) = (centre, -radius) / denominator, so that n points away from the spine for a positive
-// radius, and w(t, u) stems from a spinor a = A(t) (u0, u1)^T: w = (2 Re(conj(a0) a1),
-// 2 Im(conj(a0) a1), |a0|^2 - |a1|^2, |a0|^2 + |a1|^2), quadratic in u = (u0 : u1).
+// Here w(t, u) stems from a spinor a = A(t) (u0, u1)^T: w = (2 Re(conj(a0) a1), 2 Im(conj(a0) a1),
+// |a0|^2 - |a1|^2, |a0|^2 + |a1|^2), quadratic in u = (u0 : u1). What carries it, a curve of
+// spheres, a family of rulings or a quadric, is the matter of sections.hpp.
 //
 // T is the real number type: RealBall, which encloses, or double, which estimates.
 #pragma once
@@ -20,8 +20,10 @@
 #include <array>
 #include <complex>
 #include <type_traits>
+#include <variant>
 
 #include "pn/algebra/ball.hpp"
+#include "pn/isotropic/sections.hpp"
 #include "pn/isotropic/spinor_factorization.hpp"
 
 namespace pn {
@@ -29,16 +31,6 @@ namespace pn {
 template <class T>
 using ComplexOf =
     std::conditional_t<std::is_same_v<T, RealBall>, ComplexBall, std::complex<double>>;
-
-/// q00 u0^2 + 2 q01 u0 u1 + q11 u1^2 with forms in t.
-template <class T>
-struct QuadraticInU {
-  std::array<Form<T>, 3> coefficient;  ///< q00, q01, q11
-};
-
-/// w(t, u): components w1, w2, w3, w4.
-template <class T>
-using IsotropicVector = std::array<QuadraticInU<T>, 4>;
 
 namespace spinor {
 
@@ -79,6 +71,7 @@ IsotropicVector<T> isotropic_vector(const SpinorMatrix<ComplexOf<T>>& a) {
     for (int j = 0; j < 2; ++j) entry[i][j] = spinor::parts<T>(a.entry[i][j], degree);
   }
   IsotropicVector<T> w;
+  for (FormInU<T>& component : w) component.coefficient.resize(3);
   const std::array<std::array<int, 2>, 3> columns = {{{0, 0}, {0, 1}, {1, 1}}};
   for (std::size_t q = 0; q < 3; ++q) {
     const auto [j, k] = columns[q];
@@ -99,49 +92,43 @@ IsotropicVector<T> isotropic_vector(const SpinorMatrix<ComplexOf<T>>& a) {
   return w;
 }
 
-/// The curve of spheres and its circle family in numbers; all forms in the local parameter on [0,
-/// 1].
+/// The circles n.axis + level = 0 on the unit sphere; all forms in the local parameter on [0, 1].
 template <class T>
-struct SphereCurveForms {
-  std::array<Form<T>, 3> centre;
-  Form<T> radius;
-  Form<T> denominator;  ///< of the same formal degree as centre and radius
+struct CircleForms {
   std::array<Form<T>, 3> axis;
   Form<T> level;  ///< of the same formal degree as axis
 };
 
 template <class T>
+using Carrier = std::variant<SphereCurveForms<T>, RulingForms<T>, QuadricForms<T>>;
+
+template <class T>
 struct IsotropicHypersurface {
-  SphereCurveForms<T> curve;
+  Carrier<T> carrier;
+  CircleForms<T> circles;
   SpinorMatrix<ComplexOf<T>> spinor;
 };
 
+/// Degrees in t and in u of the sections, with w from a spinor matrix of this larger column degree.
+int section_degree(const Carrier<RealBall>& carrier, int spinor_degree);
+int section_degree_around(const Carrier<RealBall>& carrier);
+
+/// The forms in the parameter of which t = origin + length * parameter.
+CircleForms<RealBall> on_interval(const CircleForms<RealBall>& circles, const RealBall& origin,
+                                  const RealBall& length);
+Carrier<RealBall> on_interval(const Carrier<RealBall>& carrier, const RealBall& origin,
+                              const RealBall& length);
+
 /// The midpoints of an enclosure.
-SphereCurveForms<double> midpoint(const SphereCurveForms<RealBall>& curve);
+Carrier<double> midpoint(const Carrier<RealBall>& carrier);
+CircleForms<double> midpoint(const CircleForms<RealBall>& circles);
+SpinorMatrix<std::complex<double>> midpoint(const SpinorMatrix<ComplexBall>& spinor);
 IsotropicHypersurface<double> midpoint(const IsotropicHypersurface<RealBall>& gamma);
 
-/// The sections of Gamma as homogeneous forms, quadratic in u: x_d = (point + d direction) /
-/// weight.
+/// The sections of Gamma over f.
 template <class T>
-struct HomogeneousSections {
-  std::array<QuadraticInU<T>, 3> point;      ///< centre w4 + radius (w1, w2, w3)
-  std::array<QuadraticInU<T>, 3> direction;  ///< denominator (w1, w2, w3)
-  QuadraticInU<T> weight;                    ///< denominator w4
-};
-
-template <class T>
-HomogeneousSections<T> sections(const SphereCurveForms<T>& curve, const IsotropicVector<T>& w) {
-  HomogeneousSections<T> result;
-  for (std::size_t q = 0; q < 3; ++q) {
-    const Form<T>& w4 = w[3].coefficient[q];
-    result.weight.coefficient[q] = curve.denominator * w4;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Form<T>& wi = w[i].coefficient[q];
-      result.point[i].coefficient[q] = curve.centre[i] * w4 + curve.radius * wi;
-      result.direction[i].coefficient[q] = curve.denominator * wi;
-    }
-  }
-  return result;
+HomogeneousSections<T> sections(const Carrier<T>& f, const IsotropicVector<T>& w) {
+  return std::visit([&](const auto& carrier) { return sections(carrier, w); }, f);
 }
 
 }  // namespace pn

@@ -38,15 +38,16 @@ RealBall positive_root(const RealBall& x) {
 }
 
 /// t as a quotient of quadratic forms in the local parameter.
-class Substitution {
+class Substitution : public LocalParameter {
  public:
   Substitution(const AdjacentRoots& odd, long precision)
-      : odd_(odd),
+      : precision_(precision),
+        odd_(odd),
         start_(at(RealBall(0).at_precision(precision))),
         end_(at(RealBall(1).at_precision(precision))) {}
 
   /// p(t) times the denominator of t to the power `degree`, as a form of twice that degree.
-  Form<RealBall> composed(const RationalPolynomial& p, int degree, long precision) const {
+  Form<RealBall> form(const RationalPolynomial& p, int degree) const override {
     const Form<RealBall> s({start_.s, end_.s - start_.s});
     const Form<RealBall> sigma({start_.sigma, end_.sigma - start_.sigma});
     const Form<RealBall> s2 = s * s, sigma2 = sigma * sigma;
@@ -56,14 +57,16 @@ class Substitution {
                                                   : sigma2 * *odd_.above - s2;
     const Form<RealBall> denominator = both ? sigma2 + s2 : sigma2;
     // Horner's scheme in the quotient: after i steps the sum has i factors of either form.
-    Form<RealBall> sum = Form<RealBall>::constant(RealBall(p.coefficient(degree), precision));
+    Form<RealBall> sum = Form<RealBall>::constant(RealBall(p.coefficient(degree), precision_));
     Form<RealBall> power = denominator;
     for (int i = degree - 1; i >= 0; --i) {
-      sum = sum * numerator + power * RealBall(p.coefficient(i), precision);
+      sum = sum * numerator + power * RealBall(p.coefficient(i), precision_);
       power = power * denominator;
     }
     return sum;
   }
+
+  bool is_substituted() const override { return true; }
 
   DoubleRoots roots(const RootSet& in_t, int formal_degree) const;
 
@@ -96,6 +99,7 @@ class Substitution {
   /// The local parameter of (1 : 0), where sigma vanishes.
   RealBall local_of_infinity() const { return start_.sigma / (start_.sigma - end_.sigma); }
 
+  long precision_;
   AdjacentRoots odd_;
   Place start_, end_;
 };
@@ -165,44 +169,34 @@ DoubleRoots in_t(const RootSet& set, int formal_degree) {
   return roots;
 }
 
-Form<RealBall> in_balls(const RationalPolynomial& p, int degree, long precision) {
-  std::vector<RealBall> result;
-  result.reserve(static_cast<std::size_t>(degree) + 1);
-  for (int i = 0; i <= degree; ++i) result.emplace_back(p.coefficient(i), precision);
-  return Form<RealBall>(std::move(result));
-}
+/// t itself.
+class Identity : public LocalParameter {
+ public:
+  explicit Identity(long precision) : precision_(precision) {}
 
-template <class FormOf>
-SphereCurveForms<RealBall> forms(const SphereCurve& curve, const CircleFamily& circles,
-                                 FormOf&& form_of) {
-  const int k = curve.degree(), h = circles.degree();
-  SphereCurveForms<RealBall> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    result.centre[i] = form_of(curve.centre[i], k);
-    result.axis[i] = form_of(circles.axis[i], h);
+  Form<RealBall> form(const RationalPolynomial& p, int degree) const override {
+    std::vector<RealBall> result;
+    result.reserve(static_cast<std::size_t>(degree) + 1);
+    for (int i = 0; i <= degree; ++i) result.emplace_back(p.coefficient(i), precision_);
+    return Form<RealBall>(std::move(result));
   }
-  result.radius = form_of(curve.radius, k);
-  result.denominator = form_of(curve.denominator, k);
-  result.level = form_of(circles.level, h);
-  return result;
-}
+  bool is_substituted() const override { return false; }
+
+ private:
+  long precision_;
+};
 
 }  // namespace
 
-LocalForms local_forms(const SphereCurve& curve, const CircleFamily& circles, long precision) {
+LocalFamily local_family(const CircleFamily& circles, long precision) {
   const RootSet set = isolate_roots(circles.discriminant(), precision);
   const int formal_degree = 2 * circles.degree();
   if (!has_odd_real_root(set)) {
-    return {forms(curve, circles,
-                  [&](const RationalPolynomial& p, int n) { return in_balls(p, n, precision); }),
-            in_t(set, formal_degree)};
+    return {std::make_unique<Identity>(precision), in_t(set, formal_degree)};
   }
-  const Substitution substitution(adjacent_odd_roots(set), precision);
-  return {forms(curve, circles,
-                [&](const RationalPolynomial& p, int n) {
-                  return substitution.composed(p, n, precision);
-                }),
-          substitution.roots(set, formal_degree)};
+  auto substitution = std::make_unique<Substitution>(adjacent_odd_roots(set), precision);
+  DoubleRoots roots = substitution->roots(set, formal_degree);
+  return {std::move(substitution), std::move(roots)};
 }
 
 }  // namespace pn

@@ -17,10 +17,11 @@
 // denominator s^2 + sigma^2 stays between 1/2 and 1; otherwise sigma = 1.
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "pn/algebra/form.hpp"
 #include "pn/algebra/roots.hpp"
-#include "pn/isotropic/isotropic_hypersurface.hpp"
 #include "pn/isotropic/sphere_curve.hpp"
 
 namespace pn {
@@ -36,13 +37,22 @@ struct DoubleRoots {
   int infinite_copies = 0;
 };
 
-struct LocalForms {
-  SphereCurveForms<RealBall> curve;
+/// The change to the local parameter: t itself where D has no odd real root.
+class LocalParameter {
+ public:
+  virtual ~LocalParameter() = default;
+  /// p(t), taken at this formal degree, in the local parameter.
+  virtual Form<RealBall> form(const RationalPolynomial& p, int degree) const = 0;
+  virtual bool is_substituted() const = 0;
+};
+
+struct LocalFamily {
+  std::unique_ptr<const LocalParameter> parameter;
   DoubleRoots roots;
 };
 
-/// The family in the local parameter, with the roots of D there; t itself where D has no odd real
-/// root. Throws Undecided when the precision does not suffice.
-LocalForms local_forms(const SphereCurve& curve, const CircleFamily& circles, long precision);
+/// The local parameter of a family of circles, with the roots of D there. Throws Undecided when the
+/// precision does not suffice.
+LocalFamily local_family(const CircleFamily& circles, long precision);
 
 }  // namespace pn

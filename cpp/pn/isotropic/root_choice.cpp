@@ -22,9 +22,9 @@ struct Cost {
 /// Compares root choices in doubles.
 class RootChoiceSearch {
  public:
-  explicit RootChoiceSearch(const LocalForms& local)
-      : roots_(local.roots), curve_(midpoint(local.curve)) {
-    const auto h = hermitian_matrix(local.curve);
+  RootChoiceSearch(const CircleForms<RealBall>& circles, const DoubleRoots& roots)
+      : roots_(roots), circles_(midpoint(circles)) {
+    const auto h = hermitian_matrix(circles);
     matrix_ = {midpoint(h.h00), midpoint(h.h01), midpoint(h.h11)};
     for (const ConjugatePair& pair : roots_.pairs) pairs_.push_back(pair.value.midpoint());
     for (const DoubleRoots::Real& root : roots_.real) {
@@ -59,9 +59,8 @@ class RootChoiceSearch {
 
   Cost cost(const RootChoice& choice) const {
     try {
-      const IsotropicHypersurface<double> gamma{curve_,
-                                                spinor_factorization(matrix_, chosen(choice))};
-      return {gamma.spinor.degree[0], twist_energy(gamma)};
+      const auto spinor = spinor_factorization(matrix_, chosen(choice));
+      return {spinor.degree[0], twist_energy(circles_, spinor)};
     } catch (const Undecided&) {
       return {};  // Doubles cannot follow this choice: it is the last one to take.
     }
@@ -114,20 +113,20 @@ class RootChoiceSearch {
   const DoubleRoots& roots_;
   std::vector<std::complex<double>> pairs_;  ///< the upper roots
   HalfRoots<std::complex<double>> fixed_;    ///< what leaves no choice
-  SphereCurveForms<double> curve_;
+  CircleForms<double> circles_;
   HermitianMatrix<std::complex<double>> matrix_;
 };
 
 }  // namespace
 
-HermitianMatrix<ComplexBall> hermitian_matrix(const SphereCurveForms<RealBall>& curve) {
+HermitianMatrix<ComplexBall> hermitian_matrix(const CircleForms<RealBall>& circles) {
   HermitianMatrix<ComplexBall> h;
-  const int degree = curve.level.degree();
+  const int degree = circles.level.degree();
   h.h00 = h.h01 = h.h11 = Form<ComplexBall>::zero(degree);
   for (int i = 0; i <= degree; ++i) {
-    h.h00[i] = ComplexBall(curve.level[i] + curve.axis[2][i]);
-    h.h11[i] = ComplexBall(curve.level[i] - curve.axis[2][i]);
-    h.h01[i] = ComplexBall(curve.axis[0][i], -curve.axis[1][i]);
+    h.h00[i] = ComplexBall(circles.level[i] + circles.axis[2][i]);
+    h.h11[i] = ComplexBall(circles.level[i] - circles.axis[2][i]);
+    h.h01[i] = ComplexBall(circles.axis[0][i], -circles.axis[1][i]);
   }
   return h;
 }
@@ -147,7 +146,9 @@ HalfRoots<ComplexBall> half_roots(const DoubleRoots& roots, const RootChoice& ch
   return half;
 }
 
-RootChoice best_root_choice(const LocalForms& local) { return RootChoiceSearch(local).best(); }
+RootChoice best_root_choice(const CircleForms<RealBall>& circles, const DoubleRoots& roots) {
+  return RootChoiceSearch(circles, roots).best();
+}
 
 RootChoice recognized(const DoubleRoots& roots, const std::vector<std::complex<double>>& chosen) {
   RootChoice choice(roots.pairs.size(), 0);

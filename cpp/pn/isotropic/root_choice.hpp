@@ -12,6 +12,7 @@
 #include <complex>
 #include <vector>
 
+#include "pn/isotropic/isotropic_hypersurface.hpp"
 #include "pn/isotropic/odd_root_substitution.hpp"
 
 namespace pn {
@@ -20,14 +21,14 @@ namespace pn {
 /// one.
 using RootChoice = std::vector<int>;
 
-/// H = R + M.sigma for the circle family of a curve.
-HermitianMatrix<ComplexBall> hermitian_matrix(const SphereCurveForms<RealBall>& curve);
+/// H = R + M.sigma for a circle family.
+HermitianMatrix<ComplexBall> hermitian_matrix(const CircleForms<RealBall>& circles);
 
 /// The half of the roots of D that a choice stands for.
 HalfRoots<ComplexBall> half_roots(const DoubleRoots& roots, const RootChoice& choice);
 
 /// The best choice that the search finds.
-RootChoice best_root_choice(const LocalForms& local);
+RootChoice best_root_choice(const CircleForms<RealBall>& circles, const DoubleRoots& roots);
 
 /// A choice remembered by the places of its complex roots: the pairs, isolated anew at another
 /// precision, are recognised by them.

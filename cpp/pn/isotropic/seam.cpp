@@ -27,13 +27,13 @@ double angle_about(const Vector3d& axis, const Vector3d& a, const Vector3d& b) {
   return std::atan2(axis.normalized().dot(a.cross(b)), a.dot(b));
 }
 
-Vector3d axis_at(const SphereCurveForms<double>& curve, double t) {
-  return {curve.axis[0](t), curve.axis[1](t), curve.axis[2](t)};
+Vector3d axis_at(const CircleForms<double>& circles, double t) {
+  return {circles.axis[0](t), circles.axis[1](t), circles.axis[2](t)};
 }
 
-Vector3d circle_normal(const SphereCurveForms<double>& curve, double t, const Vector3d& e) {
-  const Vector3d axis = axis_at(curve, t);
-  const double cosine = -curve.level(t) / axis.norm();
+Vector3d circle_normal(const CircleForms<double>& circles, double t, const Vector3d& e) {
+  const Vector3d axis = axis_at(circles, t);
+  const double cosine = -circles.level(t) / axis.norm();
   return cosine * axis.normalized() + std::sqrt(std::max(0.0, 1 - cosine * cosine)) * e;
 }
 
@@ -66,10 +66,14 @@ Vector2d without_phase(const Vector2cd& u) {
 
 }  // namespace
 
+Vector2d parameter_of(const Matrix2cd& a, const Vector3d& normal) {
+  const Vector2d u = without_phase(a.inverse() * spinor_of(normal));
+  return u / (a * u).norm();
+}
+
 Matrix2d even_factor(const Matrix2cd& a, const Vector3d& normal) {
   const Matrix2d g = (a.adjoint() * a).real();
-  Vector2d first = without_phase(a.inverse() * spinor_of(normal));
-  first /= std::sqrt(first.dot(g * first));
+  const Vector2d first = parameter_of(a, normal);
   const Vector2d conormal = g * first;
   const Vector2d second = Vector2d(-conormal.y(), conormal.x()) / std::sqrt(g.determinant());
   Matrix2d factor;
@@ -81,18 +85,19 @@ Matrix2d continued(const Matrix2d& previous, const Matrix2d& factor) {
   return (previous.inverse() * factor).trace() >= 0 ? factor : Matrix2d(-factor);
 }
 
-double twist_energy(const IsotropicHypersurface<double>& gamma) {
+double twist_energy(const CircleForms<double>& circles,
+                    const SpinorMatrix<std::complex<double>>& spinor) {
   constexpr int kSteps = 8;  // enough to rank root choices, whose energies differ by factors
-  Vector3d axis = axis_at(gamma.curve, 0), e = any_perpendicular(axis);
-  Matrix2d factor = even_factor(value_at(gamma.spinor, 0), circle_normal(gamma.curve, 0, e));
+  Vector3d axis = axis_at(circles, 0), e = any_perpendicular(axis);
+  Matrix2d factor = even_factor(value_at(spinor, 0), circle_normal(circles, 0, e));
   double energy = 0;
   for (int i = 1; i <= kSteps; ++i) {
     const double t = static_cast<double>(i) / kSteps;
-    const Vector3d next_axis = axis_at(gamma.curve, t);
+    const Vector3d next_axis = axis_at(circles, t);
     e = transported(e, axis, next_axis);
     axis = next_axis;
     const Matrix2d next =
-        continued(factor, even_factor(value_at(gamma.spinor, t), circle_normal(gamma.curve, t, e)));
+        continued(factor, even_factor(value_at(spinor, t), circle_normal(circles, t, e)));
     energy += (factor.inverse() * next - Matrix2d::Identity()).squaredNorm();
     factor = next;
   }

@@ -29,14 +29,18 @@ Eigen::Vector3d transported(const Eigen::Vector3d& e, const Eigen::Vector3d& fro
 /// (-pi, pi].
 double angle_about(const Eigen::Vector3d& axis, const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-Eigen::Vector3d axis_at(const SphereCurveForms<double>& curve, double t);
+Eigen::Vector3d axis_at(const CircleForms<double>& circles, double t);
 
 /// The normal of the circle n.axis + level = 0 on the side of `e`, a unit vector perpendicular to
 /// axis.
-Eigen::Vector3d circle_normal(const SphereCurveForms<double>& curve, double t,
+Eigen::Vector3d circle_normal(const CircleForms<double>& circles, double t,
                               const Eigen::Vector3d& e);
 
 Eigen::Matrix2cd value_at(const SpinorMatrix<std::complex<double>>& a, double t);
+
+/// The real u with n(A u) = normal and |A u| = 1, up to its sign; the normal lies on the circle of
+/// A.
+Eigen::Vector2d parameter_of(const Eigen::Matrix2cd& a, const Eigen::Vector3d& normal);
 
 /// F with Re((A F)* (A F)) = 1 whose first column is the spinor of `normal`; det F > 0. The sign of
 /// F is free and chosen arbitrarily.
@@ -47,6 +51,7 @@ Eigen::Matrix2d continued(const Eigen::Matrix2d& previous, const Eigen::Matrix2d
 
 /// How far the lines of A move against the rotation-minimizing frame over [0, 1]: the sum of
 /// |F_i^{-1} F_{i+1} - 1|^2 over equal steps. Zero when the lines are even and do not twist.
-double twist_energy(const IsotropicHypersurface<double>& gamma);
+double twist_energy(const CircleForms<double>& circles,
+                    const SpinorMatrix<std::complex<double>>& spinor);
 
 }  // namespace pn

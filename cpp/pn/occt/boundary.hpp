@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The boundary curves of a B-spline surface, and when two of them are one edge.
+// The boundary of a face on a B-spline surface, and when two pieces of boundaries are one edge.
 //
-// Faces that meet carry the same poles along their common edge, so that neighbours are found by
+// Faces that meet carry the same poles along their common side, so that neighbours are found by
 // comparing numbers, without a sewing tolerance. Weights may differ by a common factor and knots by
-// an affine map: both leave the curve as it is.
+// an affine map: both leave the curve as it is. Trims inside a surface belong to one face only.
 #pragma once
 
 #include <array>
+#include <variant>
 #include <vector>
 
 #include "pn/bezier/bspline_surface.hpp"
@@ -33,16 +34,33 @@ bool is_degenerate(const BoundaryCurve& curve);
 /// weights equal as far as doubles can tell up to an affine map and a factor.
 bool coincide(const BoundaryCurve& a, const BoundaryCurve& b);
 
-/// One of the four sides of a surface: its curve, in the direction of rising parameter, and where
-/// the curve starts and ends in the (u, v) plane.
-struct Boundary {
-  BoundaryCurve curve;
-  std::array<double, 2> start;
-  std::array<double, 2> end;
+/// A piece of one of the four sides of a surface, or the whole of it.
+struct SidePiece {
+  BoundaryCurve curve;          ///< The whole side, in the direction of rising parameter.
+  double first = 0;             ///< Parameters of the curve between which the piece lies:
+  double last = 0;              ///< first < last.
+  std::array<double, 2> start;  ///< (u, v) at `first`.
+  std::array<double, 2> end;    ///< (u, v) at `last`.
+  bool rising = true;           ///< The boundary of the face runs from `start` to `end`.
 };
 
-/// The sides v = first, u = last, v = last, u = first: counterclockwise in the (u, v) plane if the
-/// last two are run against the direction of their curves.
-std::array<Boundary, 4> boundaries(const BSplineSurface& surface);
+/// The same piece on the reversed curve.
+SidePiece reversed(const SidePiece& piece);
+
+/// True when the curves coincide and the pieces lie between the same points of them, as far as
+/// doubles can tell.
+bool coincide(const SidePiece& a, const SidePiece& b);
+
+/// What a face is bounded by: pieces of sides, and trims inside the surface, each a smooth curve
+/// (C1, no knot has the multiplicity of the degree).
+using BoundaryPiece = std::variant<SidePiece, ParameterCurve>;
+using BoundaryLoop = std::vector<BoundaryPiece>;
+
+/// The loops around a face, each with the face to its left. Without trims this is one loop: the
+/// sides v = first, u = last, v = last, u = first. A trim with corners is cut there.
+///
+/// Throws std::invalid_argument when a trim is no clamped B-spline curve or is a single point, and
+/// when a loop is empty or not closed.
+std::vector<BoundaryLoop> boundary_loops(const BSplineSurface& surface);
 
 }  // namespace pn

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/occt/caps.hpp"
 
-#include <BRepAdaptor_Curve.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -15,6 +14,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
+#include <gp_Pln.hxx>
 #include <stdexcept>
 #include <vector>
 
@@ -29,13 +29,22 @@ struct Leg {
   gp_Pnt end;
 };
 
+// The stretch of a B-spline curve that an edge covers.
+Handle(Geom_BSplineCurve) curve_of(const TopoDS_Edge& edge) {
+  double first, last;
+  const auto curve =
+      Handle(Geom_BSplineCurve)::DownCast(BRep_Tool::Curve(edge, first, last)->Copy());
+  if (first > curve->FirstParameter() || last < curve->LastParameter()) curve->Segment(first, last);
+  return curve;
+}
+
 // The control polygon of a closed wire of B-spline edges: legs in the direction of the wire, in any
 // order. Each pole starts one leg.
 std::vector<Leg> control_polygon(const TopoDS_Wire& wire) {
   std::vector<Leg> legs;
   for (TopExp_Explorer explorer(wire, TopAbs_EDGE); explorer.More(); explorer.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(explorer.Current());
-    const auto curve = BRepAdaptor_Curve(edge).BSpline();
+    const auto curve = curve_of(edge);
     const bool forward = edge.Orientation() == TopAbs_FORWARD;
     for (int i = 1; i < curve->NbPoles(); ++i) {
       const gp_Pnt pole = curve->Pole(i);

@@ -9,20 +9,23 @@
 
 namespace pn {
 
-/// One face for each surface, joined wherever two sides coincide.
+/// One face for each surface, within its trims, joined wherever two sides coincide.
 ///
-/// - Two sides are one edge when their curves coincide in either direction (boundary.hpp); the two
-///   may belong to one surface, which is then closed and has a seam.
-/// - Ends of sides that are equal bit for bit are one vertex.
+/// - Two sides, or pieces of sides, are one edge when they coincide in either direction
+///   (boundary.hpp); the two may belong to one surface, which is then closed and has a seam.
+/// - Edges that meet in a corner of a face, and ends of edges that are equal bit for bit, share a
+///   vertex.
 /// - A side that is a single point is a degenerate edge.
+/// - Sides are exact; trims inside a surface belong to its face alone and lie within 1e-9 mm of it,
+///   which `trim_deviation` measures (curve_on_surface.hpp).
 ///
-/// Every face is bounded by the whole of its surface. Faces point along S_u x S_v; where two
-/// neighbours disagree, the later one is reversed. The shell is marked closed when no edge is free.
-/// An edge is marked as smooth as its faces are there. Tolerances are OpenCASCADE's smallest, 1e-7.
+/// Faces point along S_u x S_v; where two neighbours disagree, the later one is reversed. The shell
+/// is marked closed when no edge is free. An edge is marked as smooth as its faces are there.
+/// Tolerances are OpenCASCADE's smallest, 1e-7.
 ///
 /// Throws std::invalid_argument when there is no surface, when the faces do not hang together by
 /// edges, when more than two meet at an edge, or when the shell would be one-sided; as to_geometry
-/// does for a surface that is none.
+/// does for a surface that is none and boundary_loops for trims that bound nothing.
 TopoDS_Shell make_shell(const std::vector<BSplineSurface>& surfaces);
 
 }  // namespace pn

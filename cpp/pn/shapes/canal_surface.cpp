@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
-#include <sstream>
 
 #include "pn/algebra/parallel.hpp"
 #include "pn/algebra/roots.hpp"
 #include "pn/geometry_error.hpp"
+#include "pn/isotropic/along_curve.hpp"
+#include "pn/shapes/sphere_spans.hpp"
 
 namespace pn {
 namespace {
@@ -31,13 +31,6 @@ struct Span {
   TangentDirection direction;
   Rational begin, end;
 };
-
-std::string show(double value) {
-  std::ostringstream text;
-  text.precision(6);
-  text << value;
-  return text.str();
-}
 
 double parameter(const Span& span, double local) {
   const double begin = span.begin.to_double();
@@ -79,63 +72,14 @@ std::optional<Interval> first_negative_interval(const RationalPolynomial& p,
   return std::nullopt;
 }
 
-/// The part of a function over [begin, end], which lies within one of its spans.
-template <std::size_t Dimension>
-RationalSpan<Dimension> restricted(const PiecewiseRational<Dimension>& function,
-                                   const Rational& begin, const Rational& end) {
-  const auto after = std::upper_bound(function.breaks.begin(), function.breaks.end(), begin);
-  const auto index = static_cast<std::size_t>(after - function.breaks.begin()) - 1;
-  const Rational& first = function.breaks[index];
-  const Rational length = function.breaks[index + 1] - first;
-  RationalSpan<Dimension> span = function.spans[index];
-  if (first == begin && function.breaks[index + 1] == end) return span;
-  const Rational origin = (begin - first) / length, part = (end - begin) / length;
-  for (RationalPolynomial& p : span.numerator) p = p.on_interval(origin, part);
-  span.denominator = span.denominator.on_interval(origin, part);
-  return span;
-}
-
-std::vector<Rational> united_breaks(const std::vector<Rational>& a,
-                                    const std::vector<Rational>& b) {
-  std::vector<Rational> all;
-  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
-  return all;
-}
-
-struct RestrictedSpan {
-  RationalSpan<3> spine;
-  RationalSpan<1> law;
-};
-
-/// Spine and law over one denominator. It is the product of both, so that it stays as smooth across
-/// spans as they are; where both have the same weights everywhere, it is their common one.
-SphereCurve sphere_curve(const RestrictedSpan& span, bool same_weights) {
-  const RationalPolynomial& q = span.spine.denominator;
-  if (same_weights) return {span.spine.numerator, span.law.numerator[0], q};
-  const RationalPolynomial& p = span.law.denominator;
-  return {{span.spine.numerator[0] * p, span.spine.numerator[1] * p, span.spine.numerator[2] * p},
-          span.law.numerator[0] * q,
-          q * p};
-}
-
 std::vector<Span> spans_of(const Curve& spine, const Law& law) {
-  const PiecewiseRational<3>& curve = spine.function();
-  const PiecewiseRational<1> radius = law.over(curve.breaks.front(), curve.breaks.back());
-  const std::vector<Rational> breaks = united_breaks(curve.breaks, radius.breaks);
-  std::vector<RestrictedSpan> parts(breaks.size() - 1);
-  for_each_index(parts.size(), [&](std::size_t i) {
-    parts[i] = {restricted(curve, breaks[i], breaks[i + 1]),
-                restricted(radius, breaks[i], breaks[i + 1])};
-  });
-  const bool same_weights = std::all_of(parts.begin(), parts.end(), [](const RestrictedSpan& part) {
-    return part.spine.denominator == part.law.denominator;
-  });
+  std::vector<SphereSpan> parts = sphere_spans(spine, law);
   std::vector<Span> spans(parts.size());
   for_each_index(spans.size(), [&](std::size_t i) {
-    spans[i].spheres = sphere_curve(parts[i], same_weights);
-    spans[i].direction = tangent_direction(spans[i].spheres);
-    spans[i].begin = breaks[i];
-    spans[i].end = breaks[i + 1];
+    spans[i].direction = tangent_direction(parts[i].spheres);
+    spans[i].spheres = std::move(parts[i].spheres);
+    spans[i].begin = parts[i].begin;
+    spans[i].end = parts[i].end;
   });
   return spans;
 }
@@ -179,10 +123,9 @@ void require_envelope(const Span& span) {
 }
 
 /// The envelope along a span or a corner; an error says where.
-AlongCurve envelope_along(const SphereCurve& spheres, const CircleFamily& circles,
-                          const Span& span) {
+Envelope envelope_along(const SphereCurve& spheres, const CircleFamily& circles, const Span& span) {
   try {
-    return AlongCurve(spheres, circles);
+    return along_curve(spheres, circles);
   } catch (const GeometryError& error) {
     throw GeometryError(error.code(),
                         std::string(error.what()) + ", at " + interval(span, 0, 1) + ".");
@@ -250,33 +193,11 @@ std::vector<Span> oriented(std::vector<Span> spans) {
   return spans;
 }
 
-bool has_equal_end(const RationalPolynomial& left, const RationalPolynomial& right,
-                   const Rational& left_length, const Rational& right_length) {
-  const Rational one(1), zero(0);
-  RationalPolynomial a = left, b = right;
-  Rational a_scale(1), b_scale(1);
-  for (int order = 0; order <= 2; ++order) {
-    if (a(one) * b_scale != b(zero) * a_scale) return false;
-    a = a.derivative();
-    b = b.derivative();
-    a_scale *= left_length;
-    b_scale *= right_length;
-  }
-  return true;
-}
-
 /// Centre, radius and denominator agree up to the second derivative in the spine's parameter, and
 /// the first one, of which the circles are made, does not vanish.
 bool is_smooth(const Span& left, const Span& right) {
   if (left.direction.content(Rational(1)).is_zero()) return false;
-  const Rational a = left.end - left.begin, b = right.end - right.begin;
-  const auto equal = [&](const RationalPolynomial& p, const RationalPolynomial& q) {
-    return has_equal_end(p, q, a, b);
-  };
-  return equal(left.spheres.denominator, right.spheres.denominator) &&
-         equal(left.spheres.radius, right.spheres.radius) &&
-         std::equal(left.spheres.centre.begin(), left.spheres.centre.end(),
-                    right.spheres.centre.begin(), equal);
+  return meets({left.spheres, left.begin, left.end}, {right.spheres, right.begin, right.end}, 2);
 }
 
 double radius_at_start(const Span& span) {
@@ -325,14 +246,18 @@ class ChainBuilder {
 
   EnvelopeChain chain() {
     plan();
-    std::vector<std::optional<AlongCurve>> envelopes(plans_.size());
+    std::vector<std::optional<Envelope>> envelopes(plans_.size());
     for_each_index(plans_.size(), [&](std::size_t i) {
       envelopes[i] =
           envelope_along(plans_[i].spheres, plans_[i].direction.circles, spans_[plans_[i].span]);
     });
     for (std::size_t i = 0; i < plans_.size(); ++i) {
-      chain_.links.push_back({std::move(*envelopes[i]), plans_[i].direction.content,
-                              plans_[i].begin, plans_[i].end, plans_[i].joint_before});
+      Plan& plan = plans_[i];
+      chain_.links.push_back(
+          {std::move(*envelopes[i]),
+           CurveOfSpheres{std::move(plan.spheres), std::move(plan.direction.circles),
+                          std::move(plan.direction.content)},
+           plan.begin, plan.end, plan.joint_before});
     }
     separate_substituted_links();
     return std::move(chain_);

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/bezier/ruling_band.hpp"
+
+#include <cmath>
+
+#include "pn/isotropic/seam.hpp"
+
+namespace pn {
+
+using Eigen::Matrix2cd;
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+FormInU<double> directrix_form(const SphereCurveForms<double>& c, const std::vector<double>& torsal,
+                               const IsotropicVector<double>& w) {
+  const auto wronskian = [&](const Form<double>& p) {
+    return p.derivative() * c.denominator - p * c.denominator.derivative();
+  };
+  return divided_by_roots(
+      contracted({wronskian(c.centre[0]), wronskian(c.centre[1]), wronskian(c.centre[2])},
+                 wronskian(c.radius), w),
+      torsal);
+}
+
+/// Both solutions of q0 (1 - s)^2 + 2 q1 (1 - s) s + q2 s^2 = 0, without cancellation.
+std::array<double, 2> zeros(double q0, double q1, double q2) {
+  const double root = std::sqrt(std::max(0.0, q1 * q1 - q0 * q2));
+  const double larger = q1 < 0 ? q1 - root : q1 + root;
+  return {q0 / (q0 - larger), larger / (larger - q2)};
+}
+
+/// At a torsal ruling all normals are one; so far beside it they are not, and the target is near.
+constexpr double kAside = 1e-4;
+
+}  // namespace
+
+DirectrixForms directrix_forms(const RulingForms<double>& rulings,
+                               const IsotropicVector<double>& w) {
+  return {directrix_form(rulings.directrices[0], rulings.torsal_roots, w),
+          directrix_form(rulings.directrices[1], rulings.torsal_roots, w)};
+}
+
+double band_parameter(const FormInU<double>& directrix, double t) {
+  const auto [a, b] =
+      zeros(directrix.coefficient[0](t), directrix.coefficient[1](t), directrix.coefficient[2](t));
+  return std::abs(a - 0.5) < std::abs(b - 0.5) ? a : b;
+}
+
+BandLines::BandLines(std::vector<IsotropicHypersurface<double>> links, double margin)
+    : links_(std::move(links)), margin_(margin) {
+  choose_signs(links_.size());
+}
+
+double BandLines::beside_torsal_rulings(std::size_t link, double t) const {
+  const auto& rulings = std::get<RulingForms<double>>(links_[link].carrier);
+  for (const double torsal : rulings.torsal_roots) {
+    if (std::abs(t - torsal) < kAside) return torsal < 0.5 ? torsal + kAside : torsal - kAside;
+  }
+  return t;
+}
+
+Matrix2d BandLines::factor(std::size_t link, double place) const {
+  const auto& rulings = std::get<RulingForms<double>>(links_[link].carrier);
+  const double t = beside_torsal_rulings(link, place);
+  const Matrix2cd a = value_at(links_[link].spinor, t);
+  const Vector2d low = parameter_of(a, band_normal(rulings, t, -margin_));
+  const Vector2d high = parameter_of(a, band_normal(rulings, t, 1 + margin_));
+  const bool is_short_arc = (a * low).dot(a * high).real() > 0;
+  Matrix2d factor;
+  factor << low, is_short_arc ? high : Vector2d(-high);
+  return factor;
+}
+
+}  // namespace pn

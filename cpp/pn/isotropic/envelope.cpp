@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/isotropic/envelope.hpp"
+
+#include "pn/algebra/precision.hpp"
+#include "pn/isotropic/root_choice.hpp"
+#include "pn/isotropic/torsal_ruling.hpp"
+
+namespace pn {
+namespace {
+
+SpinorMatrix<ComplexBall> factorize(const LocalForms& local, const RootChoice& choice) {
+  SpinorMatrix<ComplexBall> spinor =
+      spinor_factorization(hermitian_matrix(local.circles), half_roots(local.roots, choice));
+  const auto* rulings = std::get_if<RulingForms<RealBall>>(&local.carrier);
+  return rulings ? pinched_at_torsal_rulings(std::move(spinor), *rulings) : spinor;
+}
+
+}  // namespace
+
+CircleForms<RealBall> circle_forms(const CircleFamily& circles, const LocalParameter& parameter) {
+  const int h = circles.degree();
+  CircleForms<RealBall> result;
+  for (std::size_t i = 0; i < 3; ++i) result.axis[i] = parameter.form(circles.axis[i], h);
+  result.level = parameter.form(circles.level, h);
+  return result;
+}
+
+Envelope::Envelope(std::function<LocalForms(long)> forms, std::string advice)
+    : forms_(std::move(forms)), advice_(std::move(advice)) {
+  at_sufficient_precision([&](long precision) { choose_roots(precision); });
+}
+
+void Envelope::require_degree(int degree) const {
+  if (degree <= kLargestDegree) return;
+  throw GeometryError(ErrorCode::kDegreeTooHigh,
+                      "The exact surface would have degree " + std::to_string(degree) +
+                          "; CAD systems stop at " + std::to_string(kLargestDegree) + ". " +
+                          (substituted_ ? "The quick change of the radius doubles it: let the "
+                                          "radius change more slowly, or lower "
+                                        : "Lower ") +
+                          advice_);
+}
+
+void Envelope::choose_roots(long precision) {
+  LocalForms local = forms_(precision);
+  substituted_ = local.is_substituted;
+  // No choice of roots does better than this, and the search for one takes time.
+  const int least = (local.circles.level.degree() + 1) / 2;
+  degree_around_ = section_degree_around(local.carrier);
+  require_degree(section_degree(local.carrier, least));
+  const RootChoice choice = best_root_choice(local.circles, local.roots);
+  chosen_roots_.clear();
+  for (const ComplexBall& root : half_roots(local.roots, choice).complex) {
+    chosen_roots_.push_back(root.midpoint());
+  }
+  SpinorMatrix<ComplexBall> spinor = factorize(local, choice);
+  degree_ = section_degree(local.carrier, spinor.degree[0]);
+  require_degree(degree_);
+  first_enclosure_ = {std::move(local.carrier), std::move(local.circles), std::move(spinor)};
+  first_precision_ = precision;
+}
+
+IsotropicHypersurface<RealBall> Envelope::enclosure(long precision) const {
+  if (precision <= first_precision_) return first_enclosure_;
+  LocalForms local = forms_(precision);
+  const RootChoice choice = recognized(local.roots, chosen_roots_);
+  SpinorMatrix<ComplexBall> spinor = factorize(local, choice);
+  return {std::move(local.carrier), std::move(local.circles), std::move(spinor)};
+}
+
+}  // namespace pn

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/isotropic/quadric_pencil.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pn {
+namespace {
+
+using Eigen::Vector3d;
+using BallForm = Form<RealBall>;
+
+/// The number of a coordinate axis.
+using Axis = std::size_t;
+
+RealBall in_balls(const Rational& x, long precision) { return RealBall(x, precision); }
+
+RealBall root_of(const Rational& x, long precision) {
+  return x.is_zero() ? RealBall(0) : sqrt(in_balls(x, precision));
+}
+
+BallForm operator*(const RealBall& a, const BallForm& b) { return b * a; }
+
+/// Quadratic forms s^2 and r^2 in the local parameter.
+struct Squares {
+  BallForm s, r;
+};
+
+/// s = t, r = 1 - t: from s = 0 at t = 0 to r = 0 at t = 1.
+Squares between_poles() {
+  return {BallForm({RealBall(0), RealBall(0), RealBall(1)}),
+          BallForm({RealBall(1), RealBall(-2), RealBall(1)})};
+}
+
+/// s = t, r = 1.
+Squares from_pole() {
+  return {BallForm({RealBall(0), RealBall(0), RealBall(1)}),
+          BallForm({RealBall(1), RealBall(0), RealBall(0)})};
+}
+
+/// T as a quotient of forms.
+struct Quotient {
+  BallForm numerator, denominator;
+};
+
+CircleForms<RealBall> no_circles(int degree) {
+  const BallForm zero = BallForm::zero(degree);
+  return {{zero, zero, zero}, zero};
+}
+
+/// The roots of D of a family between two poles: the ends, and s / r = +-i sqrt(k), +-i / sqrt(k).
+/// k < 1.
+DoubleRoots roots_between_poles(const RealBall& k) {
+  DoubleRoots roots;
+  roots.real = {{RealBall(0), 1}, {RealBall(1), 1}};
+  for (const RealBall& size : {sqrt(k), RealBall(1) / sqrt(k)}) {
+    const ComplexBall ratio(RealBall(0), size);
+    roots.pairs.push_back({ratio / (ComplexBall(1.0) + ratio), 1});
+  }
+  return roots;
+}
+
+SphereCurveForms<RealBall> spheres_on(Axis axis, const BallForm& centre, const BallForm& radius,
+                                      const BallForm& denominator) {
+  const BallForm zero = BallForm::zero(denominator.degree());
+  SphereCurveForms<RealBall> spheres{{zero, zero, zero}, radius, denominator};
+  spheres.centre[axis] = centre;
+  return spheres;
+}
+
+QuadricForms<RealBall> quadric_forms(int support_degree) {
+  QuadricForms<RealBall> forms;
+  forms.support.fill(BallForm::zero(support_degree));
+  forms.denominator = BallForm::constant(RealBall(1));
+  return forms;
+}
+
+/// t for s^2 : r^2 with s = t, r = 1 - t.
+double between_poles_at(double s_squared, double r_squared) {
+  const double s = std::sqrt(std::max(0.0, s_squared)), r = std::sqrt(std::max(0.0, r_squared));
+  return s / (s + r);
+}
+
+/// The axes ordered by falling values.
+template <std::size_t Size>
+std::array<Axis, Size> by_size(std::array<Axis, Size> axes, const std::array<Rational, 3>& values) {
+  std::stable_sort(axes.begin(), axes.end(), [&](Axis i, Axis j) { return values[j] < values[i]; });
+  return axes;
+}
+
+/// Centre, radius 1: the circles of latitude, n_z = (s^2 - r^2) / (s^2 + r^2).
+class SphereFamily : public QuadricFamily {
+ public:
+  explicit SphereFamily(const Rational& radius) : radius_(radius) {}
+
+  LocalForms forms(long precision) const override {
+    const auto [s, r] = between_poles();
+    CircleForms<RealBall> circles = no_circles(2);
+    circles.axis[2] = s + r;
+    circles.level = r - s;
+    DoubleRoots roots;
+    roots.real = {{RealBall(0), 1}, {RealBall(1), 1}};
+    const BallForm one = BallForm::constant(RealBall(1));
+    return {spheres_on(2, BallForm::zero(0), one * in_balls(radius_, precision), one),
+            std::move(circles), std::move(roots), true};
+  }
+
+  double parameter(const Vector3d& n) const override {
+    return between_poles_at(1 + n.z(), 1 - n.z());
+  }
+
+ private:
+  Rational radius_;
+};
+
+/// What the ellipsoid and the hyperboloid have in common: three half-axes in order and T0.
+struct OrderedAxes {
+  std::array<Axis, 3> axis;
+  std::array<Rational, 3> half;  ///< A, B, C
+
+  Rational square(std::size_t i) const { return half[i] * half[i]; }
+  double at(const Vector3d& n, std::size_t i) const {
+    return n(static_cast<Eigen::Index>(axis[i]));
+  }
+  double value(std::size_t i) const { return half[i].to_double(); }
+};
+
+OrderedAxes ordered(const std::array<Axis, 3>& axes, const std::array<Rational, 3>& values) {
+  return {axes, {values[axes[0]], values[axes[1]], values[axes[2]]}};
+}
+
+class EllipsoidFamily : public QuadricFamily {
+ public:
+  explicit EllipsoidFamily(const std::array<Rational, 3>& half_axes)
+      : axes_(ordered(by_size<3>({0, 1, 2}, half_axes), half_axes)) {}
+
+  LocalForms forms(long precision) const override {
+    const auto [t, t0] = ruling(precision);
+    const auto& [n, d] = t;
+    const RealBall b = in_balls(axes_.half[1], precision);
+    const RealBall g = root_of(axes_.square(0) - axes_.square(1), precision);
+    const RealBall l = root_of(axes_.square(1) - axes_.square(2), precision);
+    CircleForms<RealBall> circles = no_circles(4);
+    circles.axis[axes_.axis[0]] = g * (d * d - n * n);
+    circles.axis[axes_.axis[2]] = l * (d * d + n * n);
+    circles.level = RealBall(-2) * b * (n * d);
+    return {carrier(precision), std::move(circles),
+            roots_between_poles(in_balls(axes_.half[2] / axes_.half[0], precision)), true};
+  }
+
+  double parameter(const Vector3d& n) const override {
+    const double a = axes_.value(0), b = axes_.value(1), c = axes_.value(2);
+    const double g = std::sqrt(a * a - b * b), l = std::sqrt(b * b - c * c);
+    const double h = Vector3d(a * axes_.at(n, 0), b * axes_.at(n, 1), c * axes_.at(n, 2)).norm();
+    const double t = (g * axes_.at(n, 0) + l * axes_.at(n, 2)) / (b + h);
+    const double t0 = std::sqrt((a - c) / (a + c));
+    return between_poles_at(t0 + t, t0 - t);
+  }
+
+ private:
+  struct Ruling {
+    Quotient t;
+    RealBall t0;
+  };
+
+  /// T = T0 (s^2 - r^2) / (s^2 + r^2).
+  Ruling ruling(long precision) const {
+    const Rational ratio = (axes_.half[0] - axes_.half[2]) / (axes_.half[0] + axes_.half[2]);
+    const RealBall t0 = root_of(ratio, precision);
+    const auto [s, r] = between_poles();
+    return {{t0 * (s - r), s + r}, t0};
+  }
+
+  Carrier<RealBall> carrier(long precision) const {
+    const auto [t, t0] = ruling(precision);
+    const auto& [n, d] = t;
+    const RealBall b = in_balls(axes_.half[1], precision);
+    const RealBall g = root_of(axes_.square(0) - axes_.square(1), precision);
+    const RealBall l = root_of(axes_.square(1) - axes_.square(2), precision);
+    // Spheres on the axis of revolution, on the conic to which psi shrinks.
+    if (l.is_zero()) {
+      return spheres_on(axes_.axis[0], RealBall(2) * g * (n * d), b * (d * d - n * n),
+                        d * d + n * n);
+    }
+    if (g.is_zero()) {
+      return spheres_on(axes_.axis[2], RealBall(-2) * l * (n * d), b * (d * d + n * n),
+                        d * d - n * n);
+    }
+    // S d = G n N1 - L n N3 + B d w4 and S n = G d N1 + L d N3 - B n w4; T0 d + n = 2 T0 s^2.
+    const RealBall half = RealBall(1) / (RealBall(2) * t0);
+    QuadricForms<RealBall> forms = quadric_forms(2);
+    forms.support[axes_.axis[0]] = half * g * (t0 * n + d);
+    forms.support[axes_.axis[2]] = half * l * (d - t0 * n);
+    forms.support[3] = half * b * (t0 * d - n);
+    forms.common_roots = {RealBall(0), RealBall(0)};
+    for (std::size_t i = 0; i < 3; ++i) {
+      forms.dual[axes_.axis[i]][axes_.axis[i]] = in_balls(axes_.square(i), precision);
+    }
+    forms.dual[3][3] = RealBall(1);
+    return forms;
+  }
+
+  OrderedAxes axes_;
+};
+
+class TwoSheetHyperboloidFamily : public QuadricFamily {
+ public:
+  explicit TwoSheetHyperboloidFamily(const std::array<Rational, 3>& half_axes)
+      : axes_(ordered(along_z(by_size<2>({0, 1}, half_axes)), half_axes)) {}
+
+  LocalForms forms(long precision) const override {
+    const auto [t, t0] = ruling(precision);
+    const auto& [n, d] = t;
+    const RealBall b = in_balls(axes_.half[1], precision);
+    CircleForms<RealBall> circles = no_circles(4);
+    circles.axis[axes_.axis[0]] = p(precision) * (d * d - n * n);
+    circles.axis[axes_.axis[2]] = RealBall(2) * q(precision) * (n * d);
+    circles.level = b * (d * d + n * n);
+    const RealBall c = in_balls(axes_.half[2], precision);
+    return {carrier(precision), std::move(circles), roots_between_poles(c / hypotenuse(precision)),
+            true};
+  }
+
+  double parameter(const Vector3d& n) const override {
+    const double a = axes_.value(0), b = axes_.value(1), c = axes_.value(2);
+    const double p = std::hypot(a, b), q = std::sqrt(b * b - c * c);
+    const double na = a * axes_.at(n, 0), nb = b * axes_.at(n, 1), nc = c * axes_.at(n, 2);
+    const double h = std::sqrt(std::max(0.0, na * na - nb * nb - nc * nc));
+    const double t = (h - q * axes_.at(n, 2)) / (b - p * axes_.at(n, 0));
+    const double t0 = a / (std::hypot(a, c) + c);
+    return between_poles_at(t0 - t, t0 + t);
+  }
+
+ private:
+  struct Ruling {
+    Quotient t;
+    RealBall t0;
+  };
+
+  static std::array<Axis, 3> along_z(const std::array<Axis, 2>& across) {
+    return {2, across[0], across[1]};
+  }
+
+  RealBall p(long precision) const { return root_of(axes_.square(0) + axes_.square(1), precision); }
+  RealBall q(long precision) const { return root_of(axes_.square(1) - axes_.square(2), precision); }
+  RealBall hypotenuse(long precision) const {
+    return root_of(axes_.square(0) + axes_.square(2), precision);
+  }
+
+  /// T = T0 (r^2 - s^2) / (s^2 + r^2).
+  Ruling ruling(long precision) const {
+    const RealBall c = in_balls(axes_.half[2], precision);
+    const RealBall t0 = in_balls(axes_.half[0], precision) / (hypotenuse(precision) + c);
+    const auto [s, r] = between_poles();
+    return {{t0 * (r - s), s + r}, t0};
+  }
+
+  Carrier<RealBall> carrier(long precision) const {
+    const auto [t, t0] = ruling(precision);
+    const auto& [n, d] = t;
+    const RealBall b = in_balls(axes_.half[1], precision);
+    if (q(precision).is_zero()) {
+      return spheres_on(axes_.axis[0], p(precision) * (d * d + n * n), b * (d * d - n * n),
+                        RealBall(2) * (n * d));
+    }
+    // For -S: -S d = -P n N1 + Q d N3 + B n w4 and -S n = -P d N1 - Q n N3 - B d w4; T0 d - n = 2
+    // T0 s^2.
+    const RealBall half = RealBall(1) / (RealBall(2) * t0);
+    QuadricForms<RealBall> forms = quadric_forms(2);
+    forms.support[axes_.axis[0]] = half * p(precision) * (d - t0 * n);
+    forms.support[axes_.axis[2]] = half * q(precision) * (t0 * d + n);
+    forms.support[3] = half * b * (t0 * n + d);
+    forms.common_roots = {RealBall(0), RealBall(0)};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const RealBall square = in_balls(axes_.square(i), precision);
+      forms.dual[axes_.axis[i]][axes_.axis[i]] = i == 0 ? -square : square;
+    }
+    forms.dual[3][3] = RealBall(1);
+    return forms;
+  }
+
+  OrderedAxes axes_;
+};
+
+class EllipticParaboloidFamily : public QuadricFamily {
+ public:
+  explicit EllipticParaboloidFamily(const std::array<Rational, 3>& half_axes) {
+    const auto [first, second] = by_size<2>({0, 1}, half_axes);
+    axis_ = {first, second};
+    const Rational twice = half_axes[2] + half_axes[2];
+    square_ = {half_axes[first] * half_axes[first] / twice,
+               half_axes[second] * half_axes[second] / twice};
+  }
+
+  LocalForms forms(long precision) const override {
+    const Quotient t = ruling(precision);
+    CircleForms<RealBall> circles = no_circles(2);
+    circles.axis[axis_[1]] = gap(precision) * t.denominator;
+    circles.axis[2] = t.numerator;
+    circles.level = -root_of(square_[0], precision) * t.denominator;
+    DoubleRoots roots;
+    roots.real = {{RealBall(0), 1}};
+    roots.infinite_copies = 1;
+    return {carrier(precision), std::move(circles), std::move(roots), true};
+  }
+
+  double parameter(const Vector3d& n) const override {
+    const double a = square_[0].to_double(), b = square_[1].to_double();
+    const double across = n(static_cast<Eigen::Index>(axis_[1]));
+    const double t = (std::sqrt(a) - std::sqrt(a - b) * across) / n.z();
+    const double ratio = -t / std::sqrt(b);
+    return std::sqrt(std::max(0.0, (ratio - 1) / (ratio + 1)));
+  }
+
+ private:
+  RealBall gap(long precision) const { return root_of(square_[0] - square_[1], precision); }
+
+  /// T = -sqrt(B) (r^2 + s^2) / (r^2 - s^2).
+  Quotient ruling(long precision) const {
+    const auto [s, r] = from_pole();
+    return {-root_of(square_[1], precision) * (r + s), r - s};
+  }
+
+  Carrier<RealBall> carrier(long precision) const {
+    const auto [n, d] = ruling(precision);
+    const RealBall a = in_balls(square_[0], precision), root = root_of(square_[0], precision);
+    const RealBall half(0.5);
+    if (gap(precision).is_zero()) {
+      return spheres_on(2, half * (n * n + a * (d * d)), -root * (n * d), d * d);
+    }
+    // S d = (-G n N2 + A d N3 - sqrt(A) n w4) / 2.
+    QuadricForms<RealBall> forms = quadric_forms(2);
+    forms.support[axis_[1]] = -half * gap(precision) * n;
+    forms.support[2] = half * a * d;
+    forms.support[3] = -half * root * n;
+    forms.denominator = d;
+    for (std::size_t i = 0; i < 2; ++i) {
+      forms.dual[axis_[i]][axis_[i]] = in_balls(square_[i], precision);
+    }
+    forms.dual[2][3] = RealBall(1);
+    forms.dual[3][2] = RealBall(-1);
+    return forms;
+  }
+
+  std::array<Axis, 2> axis_;        ///< of A and B
+  std::array<Rational, 2> square_;  ///< A and B
+};
+
+}  // namespace
+
+std::shared_ptr<const QuadricFamily> ellipsoid_family(const std::array<Rational, 3>& half_axes) {
+  if (half_axes[0] == half_axes[1] && half_axes[1] == half_axes[2]) {
+    return std::make_shared<SphereFamily>(half_axes[0]);
+  }
+  return std::make_shared<EllipsoidFamily>(half_axes);
+}
+
+std::shared_ptr<const QuadricFamily> two_sheet_hyperboloid_family(
+    const std::array<Rational, 3>& half_axes) {
+  return std::make_shared<TwoSheetHyperboloidFamily>(half_axes);
+}
+
+std::shared_ptr<const QuadricFamily> elliptic_paraboloid_family(
+    const std::array<Rational, 3>& half_axes) {
+  return std::make_shared<EllipticParaboloidFamily>(half_axes);
+}
+
+}  // namespace pn

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/occt/shared_edges.hpp"
+
+#include <BRep_Builder.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_Line.hxx>
+#include <Precision.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <cmath>
+
+#include "pn/occt/curve_on_surface.hpp"
+
+namespace pn {
+namespace {
+
+using Point = std::array<double, 3>;
+using ParameterPoint = std::array<double, 2>;
+
+// OpenCASCADE reads every smaller tolerance as this one, in millimetres.
+const double kTolerance = Precision::Confusion();
+
+Point coordinates(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
+
+Handle(Geom_BSplineCurve) to_geometry(const BoundaryCurve& curve) {
+  const int pole_count = static_cast<int>(curve.poles.size());
+  const int knot_count = static_cast<int>(curve.knots.size());
+  TColgp_Array1OfPnt poles(1, pole_count);
+  for (int i = 0; i < pole_count; ++i) {
+    const auto& [x, y, z] = curve.poles[i];
+    poles.SetValue(i + 1, gp_Pnt(x, y, z));
+  }
+  return new Geom_BSplineCurve(poles, TColStd_Array1OfReal(curve.weights.front(), 1, pole_count),
+                               TColStd_Array1OfReal(curve.knots.front(), 1, knot_count),
+                               TColStd_Array1OfInteger(curve.multiplicities.front(), 1, knot_count),
+                               curve.degree);
+}
+
+// The straight p-curve from `start` at the parameter `first` to `end` at `last`; both points agree
+// in one coordinate. OpenCASCADE knows a Geom2d_Line for isoparametric, but it runs at unit speed
+// only.
+Handle(Geom2d_Curve) straight_p_curve(const ParameterPoint& start, const ParameterPoint& end,
+                                      double first, double last) {
+  const gp_Pnt2d from(start[0], start[1]);
+  const gp_Pnt2d to(end[0], end[1]);
+  const gp_Vec2d step(from, to);
+  if (std::abs(step.X()) + std::abs(step.Y()) == last - first) {
+    const gp_Dir2d direction(step);
+    return new Geom2d_Line(from.Translated(-first * gp_Vec2d(direction)), direction);
+  }
+  const std::array<gp_Pnt2d, 2> poles = {from, to};
+  const std::array<double, 2> knots = {first, last};
+  const std::array<int, 2> multiplicities = {2, 2};
+  return new Geom2d_BSplineCurve(TColgp_Array1OfPnt2d(poles.front(), 1, 2),
+                                 TColStd_Array1OfReal(knots.front(), 1, 2),
+                                 TColStd_Array1OfInteger(multiplicities.front(), 1, 2), 1);
+}
+
+// A point of a side; at its ends the pole itself.
+Point point_at(const BoundaryCurve& curve, const Geom_BSplineCurve& geometry, double parameter) {
+  if (parameter == curve.knots.front()) return curve.poles.front();
+  if (parameter == curve.knots.back()) return curve.poles.back();
+  return coordinates(geometry.Value(parameter));
+}
+
+}  // namespace
+
+std::size_t SharedVertices::at(const Point& point) {
+  const auto [entry, is_new] = vertex_at_.emplace(point, points_.size());
+  if (is_new) {
+    points_.push_back(point);
+    parents_.push_back(entry->second);
+  }
+  return entry->second;
+}
+
+void SharedVertices::unite(std::size_t kept, std::size_t joined) {
+  parents_[root(joined)] = root(kept);
+}
+
+std::size_t SharedVertices::root(std::size_t vertex) const {
+  while (parents_[vertex] != vertex) vertex = parents_[vertex];
+  return vertex;
+}
+
+FaceBoundary SharedEdges::add(const BSplineSurface& surface,
+                              const Handle(Geom_BSplineSurface) & geometry) {
+  const std::vector<BoundaryLoop> loops = boundary_loops(surface);
+  Corners corners;
+  FaceBoundary boundary;
+  for (const BoundaryLoop& loop : loops) {
+    auto& runs = boundary.emplace_back();
+    for (const BoundaryPiece& piece : loop) {
+      const auto* side = std::get_if<SidePiece>(&piece);
+      runs.push_back(side ? run_side(*side, corners)
+                          : run_trim(std::get<ParameterCurve>(piece), geometry, corners));
+    }
+  }
+  return boundary;
+}
+
+Run SharedEdges::run_side(const SidePiece& piece, Corners& corners) {
+  if (const auto edge = find(piece)) return run_along(*edge, piece, corners);
+  const SidePiece turned = reversed(piece);
+  if (const auto edge = find(turned)) return run_along(*edge, turned, corners);
+  return run_along(make(piece), piece, corners);
+}
+
+// `piece` lies on the edge in the edge's own direction.
+Run SharedEdges::run_along(std::size_t edge, const SidePiece& piece, Corners& corners) {
+  const Edge& e = edges_[edge];
+  vertices_.unite(e.start, corners.emplace(piece.start, e.start).first->second);
+  vertices_.unite(e.end, corners.emplace(piece.end, e.end).first->second);
+  return {edge, piece.rising ? TopAbs_FORWARD : TopAbs_REVERSED,
+          straight_p_curve(piece.start, piece.end, e.first, e.last), e.first, e.last};
+}
+
+Run SharedEdges::run_trim(const ParameterCurve& trim, const Handle(Geom_BSplineSurface) & geometry,
+                          Corners& corners) {
+  const Handle(Geom2d_BSplineCurve) p_curve = pn::to_geometry(trim);
+  const auto curve = curves_on_surfaces(p_curve, {geometry}).front();
+  const auto vertex = [&](const ParameterPoint& corner, const gp_Pnt& end) {
+    const std::size_t v = vertices_.at(coordinates(end));
+    vertices_.unite(corners.emplace(corner, v).first->second, v);
+    return v;
+  };
+  edges_.push_back({curve, trim.knots.front(), trim.knots.back(),
+                    vertex(trim.poles.front(), curve->StartPoint()),
+                    vertex(trim.poles.back(), curve->EndPoint())});
+  return {edges_.size() - 1, TopAbs_FORWARD, Handle(Geom2d_Curve)(p_curve), trim.knots.front(),
+          trim.knots.back()};
+}
+
+std::optional<std::size_t> SharedEdges::find(const SidePiece& piece) const {
+  const auto [begin, end] = sides_with_poles_.equal_range(piece.curve.poles);
+  for (auto entry = begin; entry != end; ++entry) {
+    if (coincide(entry->second.piece, piece)) return entry->second.edge;
+  }
+  return std::nullopt;
+}
+
+// A degenerate edge has no curve, and every face has its own.
+std::size_t SharedEdges::make(const SidePiece& piece) {
+  const auto& [curve, first, last, start, end, rising] = piece;
+  if (is_degenerate(curve)) {
+    const std::size_t pole = vertices_.at(curve.poles.front());
+    edges_.push_back({nullptr, first, last, pole, pole});
+    return edges_.size() - 1;
+  }
+  const auto geometry = to_geometry(curve);
+  edges_.push_back({geometry, first, last, vertices_.at(point_at(curve, *geometry, first)),
+                    vertices_.at(point_at(curve, *geometry, last))});
+  sides_with_poles_.emplace(curve.poles, SharedSide{piece, edges_.size() - 1});
+  return edges_.size() - 1;
+}
+
+std::vector<TopoDS_Edge> SharedEdges::topology() const {
+  const BRep_Builder builder;
+  std::map<std::size_t, TopoDS_Vertex> made;
+  const auto vertex = [&](std::size_t v) {
+    TopoDS_Vertex& topology = made[vertices_.root(v)];
+    const auto& [x, y, z] = vertices_.point(v);
+    if (topology.IsNull()) builder.MakeVertex(topology, gp_Pnt(x, y, z), kTolerance);
+    return topology;
+  };
+  std::vector<TopoDS_Edge> result;
+  for (const Edge& e : edges_) {
+    TopoDS_Edge& edge = result.emplace_back();
+    if (e.curve.IsNull()) {
+      builder.MakeEdge(edge);
+      builder.Degenerated(edge, true);
+    } else {
+      builder.MakeEdge(edge, e.curve, kTolerance);
+      builder.Range(edge, e.first, e.last);
+    }
+    builder.Add(edge, vertex(e.start).Oriented(TopAbs_FORWARD));
+    builder.Add(edge, vertex(e.end).Oriented(TopAbs_REVERSED));
+  }
+  return result;
+}
+
+}  // namespace pn

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/shapes/ruled_surface.hpp"
+
+#include <algorithm>
+
+#include "pn/algebra/parallel.hpp"
+#include "pn/algebra/roots.hpp"
+#include "pn/geometry_error.hpp"
+#include "pn/isotropic/along_rulings.hpp"
+#include "pn/shapes/sphere_spans.hpp"
+
+namespace pn {
+namespace {
+
+/// A span of the surface with its rulings.
+struct Span {
+  std::array<SphereSpan, 2> directrices;
+  JoinedRulings joined;
+
+  const Rational& begin() const { return directrices[0].begin; }
+  const Rational& end() const { return directrices[0].end; }
+};
+
+double parameter(const Span& span, double local) {
+  const double begin = span.begin().to_double();
+  return begin + local * (span.end().to_double() - begin);
+}
+
+std::string interval(const Span& span) {
+  return "parameters " + show(parameter(span, 0)) + " to " + show(parameter(span, 1));
+}
+
+/// The breaks of one curve in the parameter of another, its domain mapped affinely.
+std::vector<Rational> mapped(const std::vector<Rational>& breaks, const std::vector<Rational>& to) {
+  const Rational scale = (to.back() - to.front()) / (breaks.back() - breaks.front());
+  std::vector<Rational> result;
+  for (const Rational& b : breaks) result.push_back(to.front() + (b - breaks.front()) * scale);
+  return result;
+}
+
+bool is_point(const SphereCurve& c) { return tangent_direction(c).content.is_zero(); }
+
+void require_length(const Span& span) {
+  for (const SphereSpan& directrix : span.directrices) {
+    if (!is_point(directrix.spheres)) continue;
+    throw GeometryError(ErrorCode::kZeroLength, "One of the curves stands still at " +
+                                                    interval(span) +
+                                                    ": all rulings there pass through one point.");
+  }
+  const RationalPolynomial& content = span.joined.content;
+  if (content.is_zero()) {
+    throw GeometryError(
+        ErrorCode::kIdenticalCurves,
+        "Both curves are the same at " + interval(span) + ": there are no rulings between them.");
+  }
+  const std::vector<RealRoot> meetings = roots_in_unit_interval(content);
+  if (meetings.empty()) return;
+  throw GeometryError(ErrorCode::kCurvesMeet,
+                      "The curves meet at parameter " +
+                          show(parameter(span, meetings.front().value.midpoint())) +
+                          ": the ruling there has no length. Shorten the curves a little.");
+}
+
+void require_cones(const Span& span) {
+  const RationalPolynomial discriminant = span.joined.rulings.direction.discriminant();
+  if (is_positive_on_unit_interval(discriminant)) return;
+  throw GeometryError(ErrorCode::kRadiusTooSteep,
+                      "At " + interval(span) +
+                          " one of two spheres lies inside the other or touches it from within: "
+                          "they have no common cone. Let the radii differ less or move the "
+                          "centres apart.");
+}
+
+void require_skew(const Span& span) {
+  const RationalPolynomial turn = torsion(span.joined.rulings);
+  if (turn.is_zero()) {
+    throw GeometryError(
+        ErrorCode::kDevelopable,
+        "The surface is developable at " + interval(span) +
+            ": its tangent planes are the same all along each ruling, and its offset is not "
+            "rational in general. Planes, cylinders and cones of revolution have commands of "
+            "their own.");
+  }
+  for (const RealRoot& torsal : roots_in_unit_interval(turn)) {
+    if (torsal.multiplicity == 1) continue;
+    throw GeometryError(ErrorCode::kDevelopable,
+                        "The surface is developable to second order along the ruling at parameter " +
+                            show(parameter(span, torsal.value.midpoint())) +
+                            ". Move one of the curves a little.");
+  }
+}
+
+void require_rulings(const Span& span) {
+  require_length(span);
+  require_cones(span);
+  require_skew(span);
+}
+
+/// Each torsal ruling raises the degree, so a span has one at most: doubles between them.
+std::vector<Rational> cuts_between_torsal_rulings(const std::vector<Span>& spans) {
+  std::vector<Rational> cuts;
+  for (const Span& span : spans) {
+    const auto torsal = roots_in_unit_interval(torsion(span.joined.rulings));
+    for (std::size_t i = 0; i + 1 < torsal.size(); ++i) {
+      const double middle = (torsal[i].value.midpoint() + torsal[i + 1].value.midpoint()) / 2;
+      cuts.push_back(Rational::exactly(parameter(span, middle)));
+    }
+  }
+  return cuts;
+}
+
+bool has_torsal_ruling(const Span& span) {
+  return !roots_in_unit_interval(torsion(span.joined.rulings)).empty();
+}
+
+/// Sections divided by a torsal root keep their value but not their slope at a joint.
+Joint joint_between(const Span& left, const Span& right) {
+  const auto meet = [&](int order) {
+    return meets(left.directrices[0], right.directrices[0], order) &&
+           meets(left.directrices[1], right.directrices[1], order);
+  };
+  if (meet(2) && !has_torsal_ruling(left) && !has_torsal_ruling(right)) return Joint::kSmooth;
+  if (meet(1)) return Joint::kTangent;
+  throw GeometryError(ErrorCode::kCornerTooSharp,
+                      "At parameter " + show(parameter(right, 0)) +
+                          " the curves have a corner or change their speed at once, and the "
+                          "surface has a crease along the ruling. Offset both sides by "
+                          "themselves.");
+}
+
+/// The rulings of a span at the scale at which they continue those before.
+Rulings scaled(Rulings rulings, const Rational& factor) {
+  const RationalPolynomial scale(factor);
+  for (RationalPolynomial& m : rulings.direction.axis) m *= scale;
+  rulings.direction.level *= scale;
+  return rulings;
+}
+
+bool is_closed(const std::vector<Span>& spans) {
+  return meets(spans.back().directrices[0], spans.front().directrices[0], 1) &&
+         meets(spans.back().directrices[1], spans.front().directrices[1], 1);
+}
+
+std::vector<Span> spans_between(const std::vector<SphereSpan>& first,
+                                const std::vector<SphereSpan>& second) {
+  std::vector<Span> spans(first.size());
+  for_each_index(spans.size(), [&](std::size_t i) {
+    spans[i] = {{first[i], second[i]}, joined(first[i].spheres, second[i].spheres)};
+  });
+  return spans;
+}
+
+Envelope envelope_of(const Span& span) {
+  const std::array<SphereCurve, 2> directrices = {span.directrices[0].spheres,
+                                                  span.directrices[1].spheres};
+  try {
+    return along_rulings(with_least_denominator(span.joined.rulings), directrices,
+                         span.end() - span.begin());
+  } catch (const GeometryError& error) {
+    throw GeometryError(error.code(), std::string(error.what()) + ", at " + interval(span) + ".");
+  }
+}
+
+EnvelopeChain chain_of(const std::vector<Span>& spans) {
+  EnvelopeChain chain;
+  chain.extent = RulingBand{};
+  chain.closed = is_closed(spans);
+  std::vector<std::optional<Envelope>> envelopes(spans.size());
+  for_each_index(spans.size(), [&](std::size_t i) { envelopes[i] = envelope_of(spans[i]); });
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    Joint joint = Joint::kNone;
+    if (i > 0) joint = joint_between(spans[i - 1], spans[i]);
+    if (i == 0 && chain.closed) joint = joint_between(spans.back(), spans.front());
+    chain.links.push_back({std::move(*envelopes[i]), std::nullopt, spans[i].begin().to_double(),
+                           spans[i].end().to_double(), joint});
+  }
+  return chain;
+}
+
+/// A curve over another domain.
+std::vector<SphereSpan> moved(std::vector<SphereSpan> spans, const std::vector<Rational>& breaks) {
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    spans[i].begin = breaks[i];
+    spans[i].end = breaks[i + 1];
+  }
+  return spans;
+}
+
+}  // namespace
+
+EnvelopeChain ruled_surface(const Curve& first, const Curve& second) {
+  const Law point = Law::constant(0);
+  return cone_envelope(first, point, second, point);
+}
+
+EnvelopeChain cone_envelope(const Curve& first_centres, const Law& first_radii,
+                            const Curve& second_centres, const Law& second_radii) {
+  const std::vector<Rational>& a = first_centres.function().breaks;
+  const std::vector<Rational>& b = second_centres.function().breaks;
+  const auto spans_over = [&](const std::vector<Rational>& breaks) {
+    return spans_between(
+        sphere_spans(first_centres, first_radii, breaks),
+        moved(sphere_spans(second_centres, second_radii, mapped(breaks, b)), breaks));
+  };
+  const std::vector<Rational> breaks = united_breaks(a, mapped(b, a));
+  const std::vector<Span> spans = spans_over(breaks);
+  for_each_index(spans.size(), [&](std::size_t i) { require_rulings(spans[i]); });
+  const std::vector<Rational> cuts = cuts_between_torsal_rulings(spans);
+  return chain_of(cuts.empty() ? spans : spans_over(united_breaks(breaks, cuts)));
+}
+
+}  // namespace pn

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/occt/shared_edges.hpp"
+
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <catch2/catch.hpp>
+
+#include "pn/occt/bspline_geometry.hpp"
+#include "trimmed_surfaces.hpp"
+
+using pn::SharedEdges;
+using pn::SharedVertices;
+
+namespace {
+
+pn::FaceBoundary add(SharedEdges& edges, const pn::BSplineSurface& surface) {
+  return edges.add(surface, pn::to_geometry(surface));
+}
+
+}  // namespace
+
+TEST_CASE("Equal points are one vertex, points an ulp apart are two until they are united") {
+  SharedVertices vertices;
+  const std::size_t a = vertices.at({1, 2, 3});
+  const std::size_t b = vertices.at({1, 2, std::nextafter(3, 4)});
+  const std::size_t c = vertices.at({4, 5, 6});
+  CHECK(vertices.at({1, 2, 3}) == a);
+  CHECK(vertices.root(a) != vertices.root(b));
+  vertices.unite(b, c);
+  vertices.unite(a, b);
+  CHECK(vertices.root(c) == vertices.root(a));
+  CHECK(vertices.point(c) == std::array<double, 3>{1, 2, 3});
+  vertices.unite(c, a);
+  CHECK(vertices.root(b) == a);
+}
+
+TEST_CASE("Runs of a face along one edge, and of two faces") {
+  SharedEdges edges;
+  const auto tubes = pn::test::three_tubes();
+  const auto first = add(edges, tubes[0]).at(0);
+  const auto second = add(edges, tubes[1]).at(0);
+  CHECK(first[0].edge == first[2].edge);
+  CHECK(first[0].orientation != first[2].orientation);
+  CHECK(first[1].edge == second[3].edge);
+  CHECK(first[1].orientation != second[3].orientation);
+  CHECK(edges.topology().size() == 5);
+}
+
+TEST_CASE("Runs follow each other in the parameter plane, loop by loop") {
+  const auto disc = pn::test::within(
+      pn::test::wavy_tube(),
+      {pn::test::wavy_tube().trims[0], pn::test::reversed(pn::test::oval({0.2, 1}, 0.1, 0.2))});
+  SharedEdges edges;
+  const auto loops = add(edges, disc);
+  REQUIRE(loops.size() == 2);
+  for (const auto& loop : loops) {
+    REQUIRE(loop.size() == 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto& [edge, orientation, p_curve, first, last] = loop[i];
+      const auto& next = loop[(i + 1) % 4];
+      const gp_Pnt2d end = p_curve->Value(orientation == TopAbs_FORWARD ? last : first);
+      const gp_Pnt2d start =
+          next.p_curve->Value(next.orientation == TopAbs_FORWARD ? next.first : next.last);
+      CHECK(end.Distance(start) < 1e-15);
+    }
+  }
+}
+
+TEST_CASE("A trim that ends on a side ends at the vertex of the side") {
+  SharedEdges edges;
+  const auto runs = add(edges, pn::test::wavy_tube()).at(0);
+  const auto topology = edges.topology();
+  const TopoDS_Edge& seam = topology[runs[0].edge];
+  const TopoDS_Edge& trim = topology[runs[1].edge];
+  CHECK(TopExp::LastVertex(seam).IsSame(TopExp::FirstVertex(trim)));
+  CHECK(TopExp::LastVertex(seam).IsSame(TopExp::LastVertex(trim)));
+  const gp_Pnt end = BRep_Tool::Pnt(TopExp::LastVertex(trim));
+  // Half way up the tube's seam.
+  CHECK(end.Distance(gp_Pnt(0.5 * (pn::test::tube(2, 0, 2, 5).poles.front()[0] +
+                                   pn::test::tube(2, 0, 2, 5).poles[14][0]),
+                            pn::test::tube(2, 0, 2, 5).poles.front()[1], 2.5)) < 1e-14);
+}
+
+TEST_CASE("Vertices at the corners of surfaces are their poles, bit for bit") {
+  for (int i = 1; i < 40; ++i) {
+    const auto tube = pn::test::tube(i / 7., i / 11., i / 13., i);
+    SharedEdges edges;
+    const auto runs = add(edges, tube).at(0);
+    const TopoDS_Edge seam = edges.topology()[runs[0].edge];
+    const gp_Pnt first = BRep_Tool::Pnt(TopExp::FirstVertex(seam));
+    const gp_Pnt last = BRep_Tool::Pnt(TopExp::LastVertex(seam));
+    CHECK(std::array{first.X(), first.Y(), first.Z()} == tube.poles.front());
+    CHECK(std::array{last.X(), last.Y(), last.Z()} == tube.poles.back());
+  }
+}
+
+TEST_CASE("Every trim is an edge of its own, whatever it has in common with another") {
+  SharedEdges edges;
+  const auto patch = pn::test::within(pn::test::paraboloid(), {pn::test::oval({0, 0}, 0.5, 0.5)});
+  add(edges, patch);
+  add(edges, patch);
+  CHECK(edges.topology().size() == 8);
+}

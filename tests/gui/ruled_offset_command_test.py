@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command Ruled surface offset and its task panel, driven as a person drives them."""
+
+import FreeCADGui
+import main_window
+import Part
+from FreeCAD import Vector
+from support import GuiTest, input_of, poles, wait_for_preview
+
+COMMAND = "PNSurfaces_RuledOffset"
+QUESTION = "Select two edges, wires or sketches first, or one ruled face."
+
+
+class RuledOffsetTest(GuiTest):
+    def setUp(self):
+        super().setUp()
+        self.rail = self.shape_object(
+            Part.makeLine(Vector(60, 0, 0), Vector(60, 30, 100)), "Rail"
+        )
+        self.document.recompute()
+        self.document.clearUndos()
+
+    def open_ruled_panel(self, *selected):
+        FreeCADGui.Selection.clearSelection()
+        for source, name in selected:
+            FreeCADGui.Selection.addSelection(source, name)
+        return self.run_creation(COMMAND)
+
+    def open_between_lines(self):
+        return self.open_ruled_panel((self.line, "Edge1"), (self.rail, "Edge1"))
+
+
+class CreationTest(RuledOffsetTest):
+    def test_ok_is_one_undo_step(self):
+        feature, panel = self.open_between_lines()
+        main_window.type_text(input_of(panel, "Distance"), "4.5")
+        input_of(panel, "Sides").setCurrentText("Base and offset")
+        wait_for_preview()
+        main_window.screenshot("ruled_offset")
+        main_window.confirm(panel)
+        self.assert_nothing_open()
+        self.assertEqual(self.document.UndoNames, ["Ruled surface offset"])
+        self.assertTrue(feature.isValid(), feature.getStatusString())
+        self.assertEqual(feature.Distance.Value, 4.5)
+        made = poles(feature)
+        self.document.undo()
+        self.assertIsNone(self.document.getObject("RuledOffset"))
+        self.document.redo()
+        self.assertEqual(poles(self.document.RuledOffset), made)
+
+    def test_cancel_leaves_nothing(self):
+        objects = self.document.Objects
+        _, panel = self.open_between_lines()
+        main_window.type_text(input_of(panel, "Distance"), "2")
+        main_window.cancel(panel)
+        wait_for_preview()
+        self.assert_nothing_open()
+        self.assertEqual(self.document.Objects, objects)
+        self.assertEqual(self.document.UndoCount, 0)
+
+    def test_it_asks_for_curves(self):
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        for selected in ([], [(self.line, "Edge1")], [(box, "Vertex1"), (self.line, "Edge1")]):
+            FreeCADGui.Selection.clearSelection()
+            for source, name in selected:
+                FreeCADGui.Selection.addSelection(source, name)
+            self.assert_asks(COMMAND, QUESTION)
+
+    def test_two_edges_of_one_object(self):
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        feature, panel = self.open_ruled_panel((box, "Edge1"), (box, "Edge7"))
+        self.assertEqual(feature.CurveA, (box, ["Edge1"]))
+        self.assertEqual(feature.CurveB, (box, ["Edge7"]))
+        self.assertTrue(feature.isValid(), feature.getStatusString())
+        main_window.cancel(panel)
+
+    def test_curves_that_run_apart_are_turned(self):
+        back = self.shape_object(Part.makeLine(Vector(60, 30, 100), Vector(60, 0, 0)), "Back")
+        feature, panel = self.open_ruled_panel((self.line, "Edge1"), (back, "Edge1"))
+        self.assertTrue(feature.Reversed)
+        self.assertTrue(input_of(panel, "Reversed").isChecked())
+        main_window.cancel(panel)
+
+    def test_a_ruled_face(self):
+        tube = self.document.addObject("Part::Cylinder", "Tube")
+        self.document.recompute()
+        feature, panel = self.open_ruled_panel((tube, "Face1"))
+        self.assertEqual(feature.Face, (tube, ["Face1"]))
+        self.assertIn("closed", input_of(panel, "source").text())
+        self.assertTrue(feature.isValid(), feature.getStatusString())
+        main_window.confirm(panel)
+
+    def test_recorded_commands_make_the_same_surface(self):
+        before = len(main_window.recorded_commands())
+        feature, panel = self.open_between_lines()
+        input_of(panel, "Reversed").click()
+        main_window.type_text(input_of(panel, "Distance"), "1.5")
+        wait_for_preview()
+        main_window.confirm(panel)
+        self.assertTrue(feature.Reversed)
+        self.assert_recorded(before, feature, poles(feature))
+
+
+class PanelTest(RuledOffsetTest):
+    def test_curves_are_recognised(self):
+        _, panel = self.open_ruled_panel((self.line, "Edge1"), (self.spline, "Edge1"))
+        text = input_of(panel, "source").text()
+        for part in ("Line, Edge1", "Spline, Edge1", "degree 1, spans 1", "degree 3, spans 4"):
+            self.assertIn(part, text)
+
+    def test_selection_replaces_the_curves(self):
+        other = self.shape_object(Part.makeLine(Vector(0, 60, 0), Vector(0, 50, 90)), "Other")
+        feature, panel = self.open_between_lines()
+        before = poles(feature)
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(self.line, "Edge1")
+        FreeCADGui.Selection.addSelection(other, "Edge1")
+        input_of(panel, "use_selection").click()
+        wait_for_preview()
+        self.assertEqual(feature.CurveB, (other, ["Edge1"]))
+        self.assertNotEqual(poles(feature), before)
+        FreeCADGui.Selection.clearSelection()
+        input_of(panel, "use_selection").click()
+        self.assertIn("Select two edges", input_of(panel, "source").text())
+        self.assertEqual(feature.CurveB, (other, ["Edge1"]))
+
+    def test_a_face_replaces_the_curves_and_back(self):
+        tube = self.document.addObject("Part::Cylinder", "Tube")
+        self.document.recompute()
+        feature, panel = self.open_between_lines()
+        self.select(tube, "Face1")
+        input_of(panel, "use_selection").click()
+        self.assertEqual((feature.Face, feature.CurveA), ((tube, ["Face1"]), None))
+        FreeCADGui.Selection.clearSelection()
+        for source in (self.line, self.rail):
+            FreeCADGui.Selection.addSelection(source, "Edge1")
+        input_of(panel, "use_selection").click()
+        wait_for_preview()
+        self.assertIsNone(feature.Face)
+        self.assertTrue(feature.isValid(), feature.getStatusString())
+
+    def test_error_is_a_sentence_and_ok_waits(self):
+        ball = self.document.addObject("Part::Sphere", "Ball")
+        self.document.recompute()
+        feature, panel = self.open_between_lines()
+        good = poles(feature)
+        self.select(ball, "Face1")
+        input_of(panel, "use_selection").click()
+        wait_for_preview()
+        self.assertFalse(feature.isValid())
+        self.assertIn("not ruled", input_of(panel, "status").text())
+        self.assertEqual(poles(feature), good)
+        main_window.confirm(panel)
+        self.assertTrue(FreeCADGui.Control.activeDialog())
+
+    def test_edit_and_cancel_restores_everything(self):
+        feature, panel = self.open_between_lines()
+        main_window.confirm(panel)
+        self.document.clearUndos()
+        before = poles(feature)
+        panel = self.reopen_panel(feature)
+        input_of(panel, "Reversed").click()
+        main_window.type_text(input_of(panel, "Distance"), "3")
+        wait_for_preview()
+        self.assertNotEqual(poles(feature), before)
+        main_window.cancel(panel)
+        self.assertFalse(feature.Reversed)
+        self.assertEqual(poles(feature), before)
+        self.assertNotIn("Touched", feature.State)
+        self.assertEqual(self.document.UndoCount, 0)

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From the value of a link property to shapes, in the coordinates of the object that links."""
+
+import FreeCAD
+import Part
+
+
+class LinkError(ValueError):
+    """A link leads to no shape. The text is a sentence for the user."""
+
+
+def as_link(value):
+    """The pair (object, sub-element names) of an object, (object, "Edge1") or (object, names)."""
+    source, names = value if isinstance(value, (tuple, list)) else (value, [])
+    return source, [names] if isinstance(names, str) else list(names)
+
+
+def linked_shapes(source, names, container=None):
+    """The sub-elements `names` of the document object `source`; no name stands for all of it.
+
+    Coordinates are those of `container` (a part or body, None for the document itself).
+
+    Raises LinkError when a sub-element does not exist any more.
+    """
+    return [_in_container(shape, source, container) for shape in _shapes(source, names)]
+
+
+def only_face(link, container=None):
+    """The face that the value (source, names) of a link property names, as `linked_shapes` does.
+
+    Raises LinkError unless it is one face.
+    """
+    source, names = link
+    faces = [face for shape in linked_shapes(source, names, container) for face in shape.Faces]
+    if len(faces) != 1:
+        raise LinkError(f"{source.Label} gives {len(faces)} faces. Choose one face.")
+    return faces[0]
+
+
+def _shapes(source, names):
+    shapes = [Part.getShape(source, name, needSubElement=True) for name in names or [""]]
+    for name, shape in zip(names, shapes):
+        if shape.isNull():
+            raise LinkError(f"{source.Label} has no {name} any more.")
+    return [shape for shape in shapes if not shape.isNull()]
+
+
+def _in_container(shape, source, container):
+    source_frame = _frame(source.getParentGeoFeatureGroup())
+    target_frame = _frame(container)
+    # The usual case keeps every double of the source.
+    if source_frame == target_frame:
+        return shape
+    moved = shape.copy(False)
+    moved.Placement = target_frame.inverse() * source_frame * shape.Placement
+    return moved
+
+
+def _frame(container):
+    return container.getGlobalPlacement() if container else FreeCAD.Placement()

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a selection in FreeCAD's window (Gui.Selection.getSelectionEx()) means for a surface.
+
+Every function returns values of link properties, (object, sub-element names), or None.
+"""
+
+
+def selected_spine(selection):
+    """The selected edges of one object, or all of an object that is selected as a whole."""
+    return _edges(selection[0]) if len(selection) == 1 else None
+
+
+def selected_pair(selection):
+    """Two curves: two edges of one object, or the spine-like selections of two objects."""
+    if len(selection) == 2:
+        pair = tuple(_edges(selected) for selected in selection)
+        return pair if all(pair) else None
+    link = selected_spine(selection)
+    if link is None or len(link[1]) != 2:
+        return None
+    source, names = link
+    return tuple((source, [name]) for name in names)
+
+
+def selected_face(selection):
+    """The one face that is selected, or that a selected object has."""
+    if len(selection) != 1:
+        return None
+    source, names = selection[0].Object, selection[0].SubElementNames
+    if not hasattr(source, "Shape"):
+        return None
+    if not names and len(source.Shape.Faces) == 1:
+        return source, ["Face1"]
+    return (source, list(names)) if len(names) == 1 and names[0].startswith("Face") else None
+
+
+def _edges(selected):
+    source, chosen = selected.Object, selected.SubElementNames
+    names = [name for name in chosen if name.startswith("Edge")]
+    has_edges = hasattr(source, "Shape") and bool(source.Shape.Edges)
+    return (source, names) if has_edges and (names or not chosen) else None
