@@ -17,6 +17,7 @@
 #include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/rational_polynomial.hpp"
 #include "pn/shapes/curve.hpp"
+#include "spline_output.hpp"
 
 namespace pn::test {
 
@@ -25,27 +26,6 @@ struct CanalInput {
   BSplineData<3> spine;
   BSplineData<1> radius;
 };
-
-template <std::size_t Dimension>
-std::ostream& operator<<(std::ostream& out, const BSplineData<Dimension>& data) {
-  const auto list = [&](const auto& values) {
-    out << "{";
-    for (const auto& value : values) out << value << ", ";
-    out << "}";
-  };
-  out << "{" << data.degree << ", ";
-  list(data.knots);
-  out << ", ";
-  list(data.multiplicities);
-  out << ", {";
-  for (const auto& pole : data.poles) {
-    list(pole);
-    out << ", ";
-  }
-  out << "}, ";
-  list(data.weights);
-  return out << "}";
-}
 
 inline std::ostream& operator<<(std::ostream& out, const CanalInput& input) {
   const std::streamsize digits = out.precision(17);

@@ -141,6 +141,11 @@ TEST_CASE("The error of the doubles counts: signs are proved or open", "[tensor_
   const RoundedBernstein quarter = rounded(p).halved(Variable::kU)[0].halved(Variable::kV)[0];
   CHECK_FALSE(quarter.is_positive());
   CHECK(quarter.possible_sign() == 1);
+  CHECK_FALSE(rounded(kU).lacks_digits());
+  RoundedBernstein corner = quarter;
+  for (int i = 0; i < 20; ++i) corner = corner.halved(Variable::kU)[0].halved(Variable::kV)[0];
+  CHECK_FALSE(corner.is_positive());
+  CHECK(corner.lacks_digits());
   const Rectangle near = {{0, 0}, {0x1p-30, 0x1p-30}};
   CHECK(RoundedBernstein(TensorBernstein(p, 2, 2, kBits).on(near)).is_positive());
 }

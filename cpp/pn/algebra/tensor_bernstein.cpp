@@ -14,6 +14,8 @@ namespace {
 
 /// Half a unit in the last place of 1: the relative error of one operation.
 constexpr double kRounding = 0x1p-53;
+/// An error so many times that of one rounding is worth rounding anew.
+constexpr double kMuchLess = 0x1p10;
 /// Covers the rounding of the error bounds themselves, a few dozen operations each.
 constexpr double kUpwards = 1 + 0x1p-40;
 /// Covers the underflow of a mean.
@@ -172,6 +174,11 @@ int RoundedBernstein::possible_sign() const {
   const auto [least, largest] = std::minmax_element(coefficients_.begin(), coefficients_.end());
   if (*least >= -error_) return 1;
   return *largest <= error_ ? -1 : 0;
+}
+
+bool RoundedBernstein::lacks_digits() const {
+  if (is_positive() || is_negative() || possible_sign() == 0) return false;
+  return error_ > kMuchLess * kRounding * magnitude();
 }
 
 std::array<RoundedBernstein, 2> RoundedBernstein::halved(Variable variable) const {

@@ -66,9 +66,10 @@ class RoundedBernstein {
 
   bool is_positive() const;
   bool is_negative() const;
-  /// 1 or -1 where no coefficient has certainly the other sign: with less error the sign could be
-  /// proved. 0 where the coefficients have both signs.
+  /// 1 or -1 where no coefficient has certainly the other sign, 0 where the coefficients have both.
   int possible_sign() const;
+  /// Only the error hides the sign, and coefficients that are rounded anew would have much less.
+  bool lacks_digits() const;
 
   std::array<RoundedBernstein, 2> halved(Variable variable) const;
   /// The variable by which to halve until the coefficients have one sign: the bending one, or else

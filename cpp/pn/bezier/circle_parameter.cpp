@@ -17,16 +17,27 @@ using Point = std::array<Rational, 2>;
 using Bernstein = std::vector<Rational>;
 
 /// c_j, rounded to the 24 bits of a float so that all products stay short.
-Point control_point(int j, int spans) {
+Eigen::Vector2d control_double(int j, int spans) {
   const int turns = j / spans;
   const double angle = M_PI * (j % spans) / spans;
-  const long sign = turns % 2 == 0 ? 1 : -1;
-  const auto rounded = [&](double x) {
-    return Rational::exactly(static_cast<double>(static_cast<float>(x))) * Rational(sign);
-  };
+  const double sign = turns % 2 == 0 ? 1 : -1;
   // The cosine of a right angle is zero, which a float would not know.
   const double cosine = 2 * (j % spans) == spans ? 0.0 : std::cos(angle);
-  return {rounded(cosine), rounded(std::sin(angle))};
+  return Eigen::Vector2f(static_cast<float>(cosine), static_cast<float>(std::sin(angle)))
+             .cast<double>() *
+         sign;
+}
+
+Point control_point(int j, int spans) {
+  const Eigen::Vector2d c = control_double(j, spans);
+  return {Rational::exactly(c(0)), Rational::exactly(c(1))};
+}
+
+/// The Bezier control points of a span of p(s), in doubles.
+std::array<Eigen::Vector2d, 3> span_in_doubles(int j, int spans) {
+  const Eigen::Vector2d a = control_double(j, spans), b = control_double(j + 1, spans),
+                        c = control_double(j + 2, spans);
+  return {(a + b) / 2, b, (b + c) / 2};
 }
 
 Point midpoint(const Point& a, const Point& b) {
@@ -97,13 +108,8 @@ CircleColumns circle_part(int first, int last, int spans, int form_degree) {
 Eigen::Vector2d circle_point(double s, int spans) {
   const int j = std::min(static_cast<int>(s), spans - 1);
   const double x = s - j;
-  const auto in_doubles = [](const Point& p) {
-    return Eigen::Vector2d(p[0].to_double(), p[1].to_double());
-  };
-  const Point a = control_point(j, spans), b = control_point(j + 1, spans),
-              c = control_point(j + 2, spans);
-  return (1 - x) * (1 - x) * in_doubles(midpoint(a, b)) + 2 * x * (1 - x) * in_doubles(b) +
-         x * x * in_doubles(midpoint(b, c));
+  const auto [a, b, c] = span_in_doubles(j, spans);
+  return (1 - x) * (1 - x) * a + 2 * x * (1 - x) * b + x * x * c;
 }
 
 double circle_parameter(double u0, double u1, int spans) {
@@ -111,11 +117,10 @@ double circle_parameter(double u0, double u1, int spans) {
   const double angle = std::atan2(u1, u0) - start;
   const double turned = angle - M_PI * std::floor(angle / M_PI);
   const int j = std::min(static_cast<int>(turned / step), spans - 1);
-  const auto across = [&](const Point& p) { return p[0].to_double() * u1 - p[1].to_double() * u0; };
-  const Point a = control_point(j, spans), b = control_point(j + 1, spans),
-              c = control_point(j + 2, spans);
   // The component of p(s) across u, a quadratic in s - j with one zero in the span.
-  const double q0 = across(midpoint(a, b)), q1 = across(b), q2 = across(midpoint(b, c));
+  const auto across = [&](const Eigen::Vector2d& p) { return p(0) * u1 - p(1) * u0; };
+  const auto [a, b, c] = span_in_doubles(j, spans);
+  const double q0 = across(a), q1 = across(b), q2 = across(c);
   const double root = std::sqrt(std::max(0.0, q1 * q1 - q0 * q2));
   const double larger = q1 < 0 ? q1 - root : q1 + root;
   const double first = q0 / (q0 - larger), second = larger / (larger - q2);

@@ -23,7 +23,7 @@ constexpr Margins kMargins = {10, kInfinity, 1e15};
 /// A proof that takes more rectangles than this lacks room,
 constexpr int kMostTiles = 4096;
 /// or so many returns from doubles to balls,
-constexpr int kMostRenewals = 64;
+constexpr int kMostRenewals = 256;
 /// or rectangles as narrow as this, at which parameters still are exact doubles.
 constexpr double kNarrowest = 0x1p-45;
 /// Samples in each direction that look for the critical place; the proof does not rest on them.
@@ -282,27 +282,37 @@ TensorBernstein enclosed(const BivariatePolynomial& p, const Degrees& degrees, l
 }
 
 /// A polynomial on a tile. Once it has one sign it has it on all parts of the tile.
-struct Term {
-  /// A term that a proof waits for: it is rounded anew where it lacks digits.
-  explicit Term(const TensorBernstein* whole)
-      : enclosure(whole), rounded(RoundedBernstein(*whole)) {
-    settle();
-  }
-  /// A term that may vanish: its sign is of help where it has one.
-  static Term helpful(const TensorBernstein& whole) {
-    Term result(&whole);
-    result.enclosure = nullptr;
-    return result;
+class Term {
+ public:
+  explicit Term(const TensorBernstein* whole) : whole_(whole) { settle(RoundedBernstein(*whole)); }
+
+  /// 0: not known.
+  int sign() const { return sign_; }
+  bool is_open() const { return sign_ == 0; }
+  /// The coefficients of an open term.
+  const RoundedBernstein& rounded() const { return *rounded_; }
+
+  std::array<Term, 2> halved(Variable variable) const {
+    std::array<Term, 2> halves = {*this, *this};
+    if (!is_open()) return halves;
+    std::array<RoundedBernstein, 2> rounded = rounded_->halved(variable);
+    for (std::size_t i = 0; i < 2; ++i) halves[i].settle(std::move(rounded[i]));
+    return halves;
   }
 
-  void settle() {
-    sign = rounded->is_positive() ? 1 : rounded->is_negative() ? -1 : 0;
-    if (sign != 0) rounded.reset();
+  bool lacks_digits() const { return is_open() && rounded_->lacks_digits(); }
+  void renew(const Rectangle& rectangle) { settle(RoundedBernstein(whole_->on(rectangle))); }
+
+ private:
+  void settle(RoundedBernstein rounded) {
+    sign_ = rounded.is_positive() ? 1 : rounded.is_negative() ? -1 : 0;
+    rounded_.reset();
+    if (is_open()) rounded_ = std::move(rounded);
   }
 
-  const TensorBernstein* enclosure;  ///< on the unit square; none for a helpful term
-  std::optional<RoundedBernstein> rounded;
-  int sign = 0;  ///< 0: open
+  const TensorBernstein* whole_;  // on the unit square
+  int sign_ = 0;
+  std::optional<RoundedBernstein> rounded_;
 };
 
 /// A rectangle of parameters and what is known there.
@@ -312,13 +322,25 @@ struct Tile {
   std::vector<Term> region;  ///< what may have both signs or is negative
 
   bool is_outside() const {
-    return std::any_of(region.begin(), region.end(), [](const Term& g) { return g.sign < 0; });
+    return std::any_of(region.begin(), region.end(), [](const Term& g) { return g.sign() < 0; });
   }
 };
 
-std::vector<Term> helpful_terms(const std::vector<TensorBernstein>& enclosures) {
+std::array<Tile, 2> halved(const Tile& tile, Variable variable) {
+  const std::array<Rectangle, 2> rectangles = tile.rectangle.halved(variable);
+  std::array<Tile, 2> halves = {Tile{rectangles[0], {}, {}}, Tile{rectangles[1], {}, {}}};
+  for (const auto list : {&Tile::terms, &Tile::region}) {
+    for (const Term& term : tile.*list) {
+      std::array<Term, 2> both = term.halved(variable);
+      for (std::size_t i = 0; i < 2; ++i) (halves[i].*list).push_back(std::move(both[i]));
+    }
+  }
+  return halves;
+}
+
+std::vector<Term> terms_of(const std::vector<TensorBernstein>& enclosures) {
   std::vector<Term> terms;
-  for (const TensorBernstein& enclosure : enclosures) terms.push_back(Term::helpful(enclosure));
+  for (const TensorBernstein& enclosure : enclosures) terms.emplace_back(&enclosure);
   return terms;
 }
 
@@ -327,60 +349,32 @@ Variable longer_side(const Rectangle& rectangle) {
   return wide ? Variable::kU : Variable::kV;
 }
 
-/// Returns from doubles to balls that are left to a proof.
-using Renewals = int;
-
-/// The sign cannot be proved, but the coefficients could have one if they were less in error.
-bool lacks_digits(const RoundedBernstein& p) {
-  return p.possible_sign() != 0 && !p.is_positive() && !p.is_negative();
-}
-
-/// The halves of a term; where doubles do not tell its sign, it is rounded anew.
-std::array<Term, 2> halved(const Term& term, Variable variable,
-                           const std::array<Rectangle, 2>& halves, Renewals& renewals) {
-  std::array<Term, 2> result = {term, term};
-  if (term.sign != 0) return result;
-  const std::array<RoundedBernstein, 2> rounded = term.rounded->halved(variable);
-  for (std::size_t i = 0; i < 2; ++i) {
-    result[i].rounded = rounded[i];
-    if (term.enclosure != nullptr && renewals > 0 && lacks_digits(rounded[i])) {
-      result[i].rounded = RoundedBernstein(term.enclosure->on(halves[i]));
-      --renewals;
-    }
-    result[i].settle();
-  }
-  return result;
-}
-
 /// A proof on the region by halving: `question` gives the variable by which a tile is to be halved,
 /// or nothing where the proof is complete; `refuted` may end it at the middle of a tile.
 template <class Question, class Refuted>
 bool is_proved(Tile root, Question&& question, Refuted&& refuted) {
   std::vector<Tile> open = {std::move(root)};
-  Renewals renewals = kMostRenewals;
+  int renewals = 0;
   for (int count = 0; !open.empty(); ++count) {
-    if (count == kMostTiles || renewals == 0) return false;
+    if (count == kMostTiles) return false;
     Tile tile = std::move(open.back());
     open.pop_back();
     if (tile.is_outside()) continue;
     tile.region.erase(std::remove_if(tile.region.begin(), tile.region.end(),
-                                     [](const Term& g) { return g.sign > 0; }),
+                                     [](const Term& g) { return g.sign() > 0; }),
                       tile.region.end());
     const std::optional<Variable> variable = question(tile);
     if (!variable) continue;
     if (refuted(tile.rectangle)) return false;
     if (tile.rectangle.length(*variable) <= kNarrowest) return false;
-    const std::array<Rectangle, 2> halves = tile.rectangle.halved(*variable);
-    std::array<Tile, 2> parts = {Tile{halves[0], {}, {}}, Tile{halves[1], {}, {}}};
-    for (const auto list : {&Tile::terms, &Tile::region}) {
-      for (const Term& term : tile.*list) {
-        std::array<Term, 2> both = halved(term, *variable, halves, renewals);
-        (parts[0].*list).push_back(std::move(both[0]));
-        (parts[1].*list).push_back(std::move(both[1]));
+    for (Tile& half : halved(tile, *variable)) {
+      for (Term& term : half.terms) {
+        if (!term.lacks_digits()) continue;
+        if (++renewals > kMostRenewals) return false;
+        term.renew(half.rectangle);
       }
+      open.push_back(std::move(half));
     }
-    open.push_back(std::move(parts[0]));
-    open.push_back(std::move(parts[1]));
   }
   return true;
 }
@@ -393,10 +387,10 @@ bool is_positive(const BivariatePolynomial& p, const std::vector<BivariatePolyno
   for (const BivariatePolynomial& g : region) edges.push_back(enclosed(g, degrees({g}), bits));
   const auto question = [](const Tile& tile) -> std::optional<Variable> {
     const Term& term = tile.terms.front();
-    if (term.sign > 0) return std::nullopt;
-    return term.rounded ? term.rounded->decisive_variable() : longer_side(tile.rectangle);
+    if (term.sign() > 0) return std::nullopt;
+    return term.is_open() ? term.rounded().decisive_variable() : longer_side(tile.rectangle);
   };
-  return is_proved({{}, {Term(&whole)}, helpful_terms(edges)}, question,
+  return is_proved({{}, {Term(&whole)}, terms_of(edges)}, question,
                    [](const Rectangle&) { return false; });
 }
 
@@ -440,7 +434,7 @@ RoundedBernstein levelled(const RoundedBernstein& p, const std::vector<Term>& re
   RoundedBernstein result = p;
   std::array<double, 2> rest = p.slope();
   std::vector<std::array<double, 2>> slopes;
-  for (const Term& g : region) slopes.push_back(g.rounded->slope());
+  for (const Term& g : region) slopes.push_back(g.rounded().slope());
   std::vector<double> factors(region.size(), 0.0);
   constexpr int kSweeps = 30;  // of coordinate descent: for two edges it converges like cos^60
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -456,8 +450,8 @@ RoundedBernstein levelled(const RoundedBernstein& p, const std::vector<Term>& re
   for (std::size_t i = 0; i < region.size(); ++i) {
     // On a tile that only touches the region from outside any large multiple is of use, on one that
     // touches its edge from inside none is needed.
-    const double factor = factors[i] * (1 - 2 * region[i].rounded->possible_sign());
-    if (factor > 0) result = result.minus(factor, *region[i].rounded);
+    const double factor = factors[i] * (1 - 2 * region[i].rounded().possible_sign());
+    if (factor > 0) result = result.minus(factor, region[i].rounded());
   }
   return result;
 }
@@ -466,21 +460,20 @@ RoundedBernstein levelled(const RoundedBernstein& p, const std::vector<Term>& re
 std::optional<Variable> open_question(const Tile& tile) {
   const Term &a = tile.terms[kA], &b = tile.terms[kB], &t = tile.terms[kT],
              &rest = tile.terms[kRest];
-  if (t.sign < 0 && (a.sign > 0 || b.sign < 0)) return std::nullopt;
-  if (t.sign < 0 && a.rounded) return a.rounded->decisive_variable();
-  if (b.rounded) {
-    if (tile.region.empty()) return b.rounded->decisive_variable();
-    const RoundedBernstein level = levelled(*b.rounded, tile.region);
+  if (t.sign() < 0 && (a.sign() > 0 || b.sign() < 0)) return std::nullopt;
+  if (t.sign() < 0 && a.is_open()) return a.rounded().decisive_variable();
+  if (b.is_open()) {
+    if (tile.region.empty()) return b.rounded().decisive_variable();
+    const RoundedBernstein level = levelled(b.rounded(), tile.region);
     if (!level.is_positive()) {
       if (tile.region.size() > 1) return level.decisive_variable();
-      // Where it changes along the edge as much as across, across is where the edge comes to an
-      // end.
-      return level.bending_variable().value_or(tile.region.front().rounded->decisive_variable());
+      // Tiles that become thin across the edge need not become short along it.
+      return level.bending_variable().value_or(tile.region.front().rounded().decisive_variable());
     }
   }
-  if (a.sign > 0 && rest.sign > 0 && b.sign >= 0) return std::nullopt;
+  if (a.sign() > 0 && rest.sign() > 0 && b.sign() >= 0) return std::nullopt;
   for (const Term* term : {&a, &rest, &t}) {
-    if (term->rounded) return term->rounded->decisive_variable();
+    if (term->is_open()) return term->rounded().decisive_variable();
   }
   return longer_side(tile.rectangle);
 }
@@ -550,8 +543,7 @@ class CurvatureLimit {
       smaller = refined(sample, length / 2).value;
       return true;
     };
-    const Tile whole = {
-        {}, {Term(&a), Term(&b), Term::helpful(t), Term(&rest)}, helpful_terms(e.region)};
+    const Tile whole = {{}, {Term(&a), Term(&b), Term(&t), Term(&rest)}, terms_of(e.region)};
     return {is_proved(whole, open_question, refuted), smaller};
   }
 

@@ -15,8 +15,8 @@ using Point = std::array<double, 2>;
 
 constexpr int kDegree = 5;
 constexpr std::size_t kFirstSpans = 4;
-/// Beyond, doubles gain nothing more.
-constexpr std::size_t kMostSpans = 512;
+/// Beyond this many halvings of the first spans the sixth power gains nothing more in doubles.
+constexpr double kLeastSpan = 1.0 / 1024;
 
 ParameterCurve frame(const std::vector<double>& knots) {
   ParameterCurve curve;
@@ -76,8 +76,8 @@ double error(const ParameterCurve& curve, const ParameterPath& path, double begi
   for (const double part : {0.11, 0.37, 0.63, 0.89}) {
     const double at = begin + part * (end - begin);
     const Point exact = path(at), near = evaluate(curve, at);
-    largest = std::max({largest, relative_difference(exact[0], near[0]),
-                        relative_difference(exact[1], near[1])});
+    largest = std::max(
+        {largest, relative_difference(exact[0], near[0]), relative_difference(exact[1], near[1])});
   }
   return largest;
 }
@@ -93,12 +93,13 @@ ParameterCurve interpolated(const ParameterPath& path, double tolerance) {
     ParameterCurve curve = interpolated(path, knots);
     std::vector<double> finer = {0};
     for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-      if (error(curve, path, knots[i], knots[i + 1]) > tolerance) {
+      if (knots[i + 1] - knots[i] > kLeastSpan &&
+          error(curve, path, knots[i], knots[i + 1]) > tolerance) {
         finer.push_back((knots[i] + knots[i + 1]) / 2);
       }
       finer.push_back(knots[i + 1]);
     }
-    if (finer.size() == knots.size() || finer.size() > kMostSpans) return curve;
+    if (finer.size() == knots.size()) return curve;
     knots = std::move(finer);
   }
 }

@@ -269,7 +269,7 @@ class Planner {
   }
 
   std::vector<LinedSegment> segments() {
-    if (std::holds_alternative<RulingBand>(chain_.extent)) {
+    if (std::holds_alternative<RulingForms<double>>(estimates_.front().carrier)) {
       plan_band();
     } else {
       plan_circles();
@@ -507,8 +507,8 @@ LinedSegment region_segment(const EnvelopeChain& chain, long precision) {
 }  // namespace
 
 std::vector<LinedSegment> lined_segments(const EnvelopeChain& chain, Lines lines, long precision) {
-  if (std::holds_alternative<BoundedRegion>(chain.extent))
-    return {region_segment(chain, precision)};
+  const bool is_region = std::holds_alternative<BoundedRegion>(chain.extent);
+  if (is_region && !is_ruled(chain)) return {region_segment(chain, precision)};
   if (chain.closed && room_for_lines(chain.links.back().envelope) == 0) {
     throw GeometryError(
         ErrorCode::kDegreeTooHigh,

@@ -20,6 +20,9 @@ constexpr double kMargin = 0.01;
 /// Nearer to a pole the direction of its circles is lost to rounding.
 constexpr double kAtPole = 1e-9;
 
+/// A loop whose t varies by no more than rounding lies on a line t = const.
+constexpr double kParallel = 1e-12;
+
 /// An interval that grows.
 struct Hull {
   double low = HUGE_VAL, high = -HUGE_VAL;
@@ -82,11 +85,26 @@ Matrix2d factor_between(const Matrix2cd& a, const Hull& angles) {
 
 }  // namespace
 
+bool is_ruled(const EnvelopeChain& chain) {
+  return std::holds_alternative<RulingForms<RealBall>>(
+      chain.links.front().envelope.enclosure(kLeastPrecision).carrier);
+}
+
+bool is_bounded_by_parallels(const BoundedRegion& region) {
+  return std::all_of(region.loops.begin(), region.loops.end(), [](const auto& loop) {
+    Hull t;
+    for (const BoundaryArc& arc : loop) {
+      for (int i = 0; i < kSamplesPerArc; ++i) t.add(arc((i + 0.5) / kSamplesPerArc).t);
+    }
+    return t.high - t.low < kParallel;
+  });
+}
+
 RegionLines region_lines(const EnvelopeChain& chain) {
   const auto& region = std::get<BoundedRegion>(chain.extent);
   const auto gamma = midpoint(chain.links.front().envelope.enclosure(kLeastPrecision));
   const BoundaryHull hull = boundary_hull(region, gamma.spinor);
-  const Hull t = hull.t.widened();
+  const Hull t = is_bounded_by_parallels(region) ? hull.t : hull.t.widened();
   RegionLines lines;
   lines.low = region.has_first_pole ? 0 : std::max(t.low, kAtPole);
   lines.high = region.has_last_pole ? 1 : std::min(t.high, 1 - kAtPole);

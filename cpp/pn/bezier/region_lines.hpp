@@ -21,7 +21,15 @@ struct RegionLines {
   bool is_closed;
 };
 
-/// For a chain whose extent is a BoundedRegion.
+/// The link carries rulings: a region of it lies in the band between its directrices, whose lines
+/// turn (ruling_band.hpp).
+bool is_ruled(const EnvelopeChain& chain);
+
+/// All loops of the region are lines t = const, as parallels on a quadric of revolution are: then the
+/// faces end there and need no trims.
+bool is_bounded_by_parallels(const BoundedRegion& region);
+
+/// For a chain whose extent is a BoundedRegion and whose link carries no rulings.
 RegionLines region_lines(const EnvelopeChain& chain);
 
 }  // namespace pn

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "pn/bezier/ruling_band.hpp"
+#include "pn/bezier/region_lines.hpp"
 #include "pn/geometry_error.hpp"
 #include "pn/isotropic/seam.hpp"
 
@@ -18,9 +18,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Point = std::array<double, 2>;
 
-/// The circle parameter of a whole circle runs over [0, 4], that of a half over two of these.
+/// The circle parameter of a whole circle runs over [0, 4].
 constexpr double kAround = 4;
-constexpr double kHalf = 2;
 /// Places on an arc at which it is looked at for where it crosses a line between halves.
 constexpr int kSamples = 128;
 constexpr int kBisections = 60;
@@ -33,15 +32,23 @@ constexpr double kAside = 1e-5;
 /// Paths of regions run near poles, where doubles resolve less than elsewhere.
 constexpr double kParameterTolerance = 1e-12;
 
-/// The link's parameters of the points of a region: (t, v).
+/// The parameters (t, v) of the points of a region, common to all its faces.
 class RegionParameters {
  public:
   RegionParameters(const BoundedRegion& region, const SectionNet& net)
-      : region_(region), segment_(net.segments().front()), arcs_(net.faces().front().arcs) {}
+      : region_(region), segments_(net.segments()), arcs_(net.faces().front().arcs) {}
 
   bool is_closed() const { return arcs_ > 0; }
+  /// Between the knots around; beyond one, paths are only once differentiable.
+  double knot_distance() const { return kAround / arcs_; }
+  /// Where one segment ends and the next begins.
+  std::vector<double> joints() const {
+    std::vector<double> joints;
+    for (std::size_t i = 1; i < segments_.size(); ++i) joints.push_back(segments_[i].begin);
+    return joints;
+  }
 
-  /// v of a normal on the circle of t, for t in the link; around the circle up to multiples of 4.
+  /// v of a normal on the circle of t; around the circle up to multiples of 4.
   double across(const ContactPoint& at) const {
     const Vector2d u = parameter_of(matrix(at.t), at.normal);
     if (!is_closed()) return u(1) / (u(0) + u(1));
@@ -50,8 +57,7 @@ class RegionParameters {
 
   /// Whether the surface point with these parameters is in the region.
   bool contains(const Point& at) const {
-    const Vector2d u = direction(at[1]);
-    const Eigen::Vector2cd a = matrix(at[0]) * u;
+    const Eigen::Vector2cd a = matrix(at[0]) * direction(at[1]);
     const double size = a.squaredNorm();
     const std::complex<double> mixed = std::conj(a(0)) * a(1);
     const Vector3d normal(2 * mixed.real() / size, 2 * mixed.imag() / size,
@@ -61,7 +67,10 @@ class RegionParameters {
 
  private:
   Matrix2cd matrix(double t) const {
-    return value_at(segment_.lines, (t - segment_.begin) / (segment_.end - segment_.begin));
+    std::size_t i = 0;
+    while (i + 1 < segments_.size() && segments_[i + 1].begin <= t) ++i;
+    const LinedSegment& segment = segments_[i];
+    return value_at(segment.lines, (t - segment.begin) / (segment.end - segment.begin));
   }
   Vector2d direction(double v) const {
     if (!is_closed()) return {1 - v, v};
@@ -69,7 +78,7 @@ class RegionParameters {
   }
 
   const BoundedRegion& region_;
-  const LinedSegment& segment_;
+  std::vector<LinedSegment> segments_;
   int arcs_;
 };
 
@@ -122,7 +131,26 @@ struct FaceEdge {
   Point start, finish;
 };
 
-Point reversed_at(const ParameterPath& path, double s) { return path(1 - s); }
+/// The parameter rectangle of a face.
+struct Rectangle {
+  std::array<double, 2> low, high;
+
+  double centre() const { return (low[1] + high[1]) / 2; }
+  bool holds(const Point& p) const {
+    return p[0] > low[0] && p[0] < high[0] && p[1] > low[1] && p[1] < high[1];
+  }
+};
+
+Rectangle rectangle_of(const FaceNet& face) {
+  return {{face.frame.u_knots.front(), face.frame.v_knots.front()},
+          {face.frame.u_knots.back(), face.frame.v_knots.back()}};
+}
+
+/// A point on a side of a rectangle, moved off a pole, where all v are one point.
+Point beside_pole(Point p) {
+  p[0] = std::clamp(p[0], kAside, 1 - kAside);
+  return p;
+}
 
 class RegionTrimmer {
  public:
@@ -130,32 +158,40 @@ class RegionTrimmer {
       : region_(std::get<BoundedRegion>(chain.extent)),
         net_(net),
         parameters_(std::make_shared<RegionParameters>(region_, net)) {
+    if (is_bounded_by_parallels(region_)) return;
     for (const auto& loop : region_.loops) add_loop(loop);
   }
 
   std::vector<FaceTrims> trims() const {
-    std::vector<FaceTrims> result;
-    for (std::size_t i = 0; i < net_.faces().size(); ++i) {
-      if (region_.loops.empty()) {
-        result.emplace_back();
-      } else {
-        result.push_back(joined(parameters_->is_closed() ? edges_of_half(i) : edges_of_band()));
-      }
+    std::vector<FaceTrims> result(net_.faces().size());
+    if (is_bounded_by_parallels(region_)) return result;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      result[i] = joined(edges_of(rectangle_of(net_.faces()[i])));
     }
     return result;
   }
 
  private:
-  /// Cuts the arcs of a loop at the lines between halves, with corners shared by neighbours.
+  /// Cuts the arcs of a loop at the knots around, with corners shared by neighbours.
   void add_loop(const std::vector<BoundaryArc>& loop) {
     std::vector<Stretch> stretches;
     for (const BoundaryArc& arc : loop) {
       const ArcPath path(parameters_, arc);
       std::vector<double> cuts = {0};
       if (parameters_->is_closed()) {
-        for (const double s : line_crossings(path)) cuts.push_back(s);
+        const auto at_knots = crossings([&](double s) {
+          const double v = path.at(s, kAround / 2)[1];
+          return v - nearest_knot(v);
+        });
+        cuts.insert(cuts.end(), at_knots.begin(), at_knots.end());
+      }
+      for (const double joint : parameters_->joints()) {
+        const auto at_joint =
+            crossings([&](double s) { return path.at(s, kAround / 2)[0] - joint; });
+        cuts.insert(cuts.end(), at_joint.begin(), at_joint.end());
       }
       cuts.push_back(1);
+      std::sort(cuts.begin(), cuts.end());
       for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         stretches.push_back({path, cuts[i], cuts[i + 1], {}, {}});
       }
@@ -164,24 +200,27 @@ class RegionTrimmer {
     stretches_.insert(stretches_.end(), stretches.begin(), stretches.end());
   }
 
-  /// Where v is a multiple of 2.
-  std::vector<double> line_crossings(const ArcPath& path) const {
-    const auto from_line = [&](double s) {
-      const double v = path.at(s, kAround / 2)[1];
-      return v - kHalf * std::round(v / kHalf);
-    };
+  double nearest_knot(double v) const {
+    const double distance = parameters_->knot_distance();
+    return distance * std::round(v / distance);
+  }
+
+  /// The zeros of a function of s that are no jumps.
+  template <class Function>
+  static std::vector<double> crossings(const Function& f) {
+    constexpr double kEnd = 1e-6;  // where an arc begins or ends on a line, it does not cross it
     std::vector<double> result;
     for (int i = 0; i < kSamples; ++i) {
-      double low = (i + 0.001) / kSamples, high = (i + 1.001) / kSamples;
-      if (i == kSamples - 1) high = 1 - 0.001 / kSamples;
-      const double at_low = from_line(low), at_high = from_line(high);
-      const bool jumps = std::abs(at_low - at_high) > kHalf / 2;
-      if (jumps || (at_low < 0) == (at_high < 0)) continue;
+      double low = kEnd + (1 - 2 * kEnd) * i / kSamples;
+      double high = kEnd + (1 - 2 * kEnd) * (i + 1) / kSamples;
+      const double at_low = f(low), at_high = f(high);
+      if ((at_low < 0) == (at_high < 0)) continue;
       for (int k = 0; k < kBisections; ++k) {
         const double middle = (low + high) / 2;
-        ((from_line(middle) < 0) == (at_low < 0) ? low : high) = middle;
+        ((f(middle) < 0) == (at_low < 0) ? low : high) = middle;
       }
-      result.push_back((low + high) / 2);
+      const double here = std::abs(f((low + high) / 2));
+      if (here < std::min(std::abs(at_low), std::abs(at_high))) result.push_back((low + high) / 2);
     }
     return result;
   }
@@ -198,15 +237,29 @@ class RegionTrimmer {
 
   Point corner(const Stretch& stretch, double s) const {
     Point p = stretch.path.at(s, kAround / 2);
-    const bool is_cut = s > 0 && s < 1;
-    if (is_cut) p[1] = kHalf * std::round(p[1] / kHalf);
+    if (s > 0 && s < 1) p = on_line(p);
     if (parameters_->is_closed() && p[1] >= kAround) p[1] -= kAround;
     return p;
   }
 
+  /// A cut, exactly on the line at which it was made: the nearest one.
+  Point on_line(Point p) const {
+    double nearest = HUGE_VAL;
+    Point result = p;
+    if (parameters_->is_closed()) {
+      result[1] = nearest_knot(p[1]);
+      nearest = std::abs(result[1] - p[1]);
+    }
+    for (const double joint : parameters_->joints()) {
+      if (std::abs(p[0] - joint) >= nearest) continue;
+      nearest = std::abs(p[0] - joint);
+      result = {joint, p[1]};
+    }
+    return result;
+  }
+
   Point moved(Point p, double centre) const {
     if (parameters_->is_closed()) p[1] -= kAround * std::round((p[1] - centre) / kAround);
-    // The line at the far end of the second half is the one at the start of the first.
     return p;
   }
 
@@ -223,90 +276,57 @@ class RegionTrimmer {
     if (parameters_->contains(aside)) {
       return {{interpolated(path, kParameterTolerance), path}, start, finish};
     }
-    const ParameterPath back = [path](double s) { return reversed_at(path, s); };
+    const ParameterPath back = [path](double s) { return path(1 - s); };
     return {{interpolated(back, kParameterTolerance), back}, finish, start};
   }
 
-  std::vector<FaceEdge> edges_of_band() const {
+  std::vector<FaceEdge> edges_of(const Rectangle& face) const {
     std::vector<FaceEdge> edges;
-    for (const Stretch& stretch : stretches_) edges.push_back(edge_of(stretch, 0));
+    std::vector<Point> corners;
+    for (const Stretch& stretch : stretches_) {
+      corners.push_back(moved(stretch.start, face.centre()));
+      corners.push_back(moved(stretch.finish, face.centre()));
+      const double middle = (stretch.begin + stretch.end) / 2;
+      if (face.holds(stretch.path.at(middle, face.centre()))) {
+        edges.push_back(edge_of(stretch, face.centre()));
+      }
+    }
+    // The sides counterclockwise: along t at low v, along v at high t, and back.
+    const Point a = face.low, b = {face.high[0], face.low[1]}, c = face.high,
+                d = {face.low[0], face.high[1]};
+    for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, d}, {d, a}}) {
+      const std::vector<FaceEdge> stretches = edges_on_side(from, to, corners);
+      edges.insert(edges.end(), stretches.begin(), stretches.end());
+    }
     return edges;
   }
 
-  std::vector<FaceEdge> edges_of_half(std::size_t half) const {
-    const double low = kHalf * static_cast<double>(half), centre = low + 1, high = low + kHalf;
+  /// The stretches of a side inside the region, between the corners that lie on it.
+  std::vector<FaceEdge> edges_on_side(const Point& from, const Point& to,
+                                      const std::vector<Point>& corners) const {
+    const std::size_t along = from[0] == to[0] ? 1 : 0, across = 1 - along;
+    const auto is_inside = [&](double x) { return (x - from[along]) * (x - to[along]) < 0; };
+    std::vector<double> stops = {from[along], to[along]};
+    for (const Point& corner : corners) {
+      if (corner[across] == from[across] && is_inside(corner[along]))
+        stops.push_back(corner[along]);
+    }
+    std::sort(stops.begin(), stops.end());
+    if (from[along] > to[along]) std::reverse(stops.begin(), stops.end());
     std::vector<FaceEdge> edges;
-    for (const Stretch& stretch : stretches_) {
-      const Point middle = stretch.path.at((stretch.begin + stretch.end) / 2, centre);
-      if (middle[1] > low && middle[1] < high) edges.push_back(edge_of(stretch, centre));
-    }
-    const BSplineSurface& frame = net_.faces()[half].frame;
-    const double first = frame.u_knots.front(), last = frame.u_knots.back();
-    for (const auto& [from, to] : stretches_inside(first, last, stops_on_line(low), [&](double t) {
-           return Point{t, low};
-         })) {
-      edges.push_back(straight({from, low}, {to, low}));
-    }
-    for (const auto& [from, to] : stretches_inside(first, last, stops_on_line(high), [&](double t) {
-           return Point{t, high};
-         })) {
-      edges.push_back(straight({to, high}, {from, high}));
-    }
-    for (const double pole : {first, last}) {
-      if (pole != 0 && pole != 1) continue;
-      const double aside = pole == 0 ? kAside : 1 - kAside;
-      for (const auto& [from, to] :
-           stretches_inside(low, high, stops_at_pole(pole, centre), [&](double v) {
-             return Point{aside, v};
-           })) {
-        edges.push_back(pole == 0 ? straight({pole, to}, {pole, from})
-                                  : straight({pole, from}, {pole, to}));
-      }
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+      if (stops[i] == stops[i + 1]) continue;
+      Point start = from, finish = from, middle = from;
+      start[along] = stops[i];
+      finish[along] = stops[i + 1];
+      middle[along] = (stops[i] + stops[i + 1]) / 2;
+      if (parameters_->contains(beside_pole(middle))) edges.push_back(straight(start, finish));
     }
     return edges;
   }
 
   static FaceEdge straight(const Point& start, const Point& finish) {
     return {{straight_line(start, finish), {}}, start, finish};
-  }
-
-  /// t of the corners on the line at v.
-  std::vector<double> stops_on_line(double v) const {
-    std::vector<double> stops;
-    for (const Stretch& stretch : stretches_) {
-      if (stretch.start[1] == std::fmod(v, kAround)) stops.push_back(stretch.start[0]);
-    }
-    return stops;
-  }
-
-  /// v of the corners at a pole, in the half of this centre.
-  std::vector<double> stops_at_pole(double pole, double centre) const {
-    std::vector<double> stops;
-    for (const Stretch& stretch : stretches_) {
-      for (const Point& end : {stretch.start, stretch.finish}) {
-        const double v = moved(end, centre)[1];
-        if (end[0] == pole && std::abs(v - centre) < kHalf / 2) stops.push_back(v);
-      }
-    }
-    return stops;
-  }
-
-  /// The intervals between stops whose middle is inside the region.
-  template <class PointAt>
-  std::vector<std::array<double, 2>> stretches_inside(double first, double last,
-                                                      std::vector<double> stops,
-                                                      const PointAt& point_at) const {
-    stops.push_back(first);
-    stops.push_back(last);
-    std::sort(stops.begin(), stops.end());
-    std::vector<std::array<double, 2>> inside;
-    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-      if (stops[i] == stops[i + 1]) continue;
-      if (parameters_->contains(point_at((stops[i] + stops[i + 1]) / 2))) {
-        inside.push_back({stops[i], stops[i + 1]});
-      }
-    }
-    return inside;
   }
 
   /// The edges end to end.

@@ -276,8 +276,9 @@ std::vector<FaceNet> with_shared_rows(std::vector<FaceNet> faces, std::size_t ar
   return faces;
 }
 
-/// A coordinate this much smaller than the surface is zero on export: 2^-100 of its size.
-constexpr int kNegligibleBits = 100;
+/// A coordinate this much smaller than the surface is zero on export: 2^-90 of its size. That is
+/// where 128 bits leave the coordinates of an ellipsoid that vanish.
+constexpr int kNegligibleBits = 90;
 /// The arithmetic of the bounds below rounds by a few hundred units in the last place at most.
 constexpr double kRoundingOfBounds = 1 + 1e-12;
 
@@ -444,7 +445,7 @@ class FaceChoices {
     }
   }
   void add(const BoundedRegion&, const EnvelopeChain& chain) {
-    const bool is_closed = region_lines(chain).is_closed;
+    const bool is_closed = !is_ruled(chain) && region_lines(chain).is_closed;
     for (int factor = 1; factor <= kMostFactor; factor *= 2) {
       for (const int spans : {factor, 2 * factor}) {
         const int arcs = factor * kLeastArcs;
@@ -496,14 +497,14 @@ SectionNet::SectionNet(const EnvelopeChain& chain, Lines lines, long precision)
     std::vector<FaceNet> faces = face_nets(strip, choice);
     if (std::any_of(faces.begin(), faces.end(), has_bad_weight)) continue;
     faces_ = with_shared_rows(std::move(faces), choice.columns.size(), chain.closed, segments_);
-    if (!std::holds_alternative<BoundedRegion>(chain.extent)) return;
+    if (choice.arcs == 0 || std::holds_alternative<WholeCircle>(chain.extent)) return;
     for (FaceNet& face : faces_) gather_at_poles(face);
     return;
   }
   throw GeometryError(ErrorCode::kWeightsNotPositive,
                       "No patches with positive weights were found, not even with " +
                           std::to_string(kMostArcs) +
-                          " arcs around the spine; divide the spine into shorter spans.");
+                          " arcs around; divide the input into smaller parts.");
 }
 
 std::vector<RoundedFace> SectionNet::section(double distance) const {

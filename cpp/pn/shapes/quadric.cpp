@@ -76,7 +76,7 @@ TracedQuadric traced_ellipsoid(const Vector3d& a, const QuadricFamily& family) {
             },
             false};
   };
-  traced.normal = [=](const Vector3d& p) { return p.cwiseQuotient(product(a, a)); };
+  traced.normal = [=](const Vector3d& p) { return Vector3d(p.cwiseQuotient(product(a, a))); };
   traced.point = [=](const Vector3d& n) {
     return Vector3d(product(product(a, a), n) / product(a, n).norm());
   };
@@ -156,7 +156,7 @@ TracedQuadric traced_two_sheet_hyperboloid(const Vector3d& a, const QuadricBound
         return std::array<double, 2>{scale_at(z) * a.x(), scale_at(z) * a.y()};
       });
   const Vector3d squares(a.x() * a.x(), a.y() * a.y(), -a.z() * a.z());
-  traced.normal = [=](const Vector3d& p) { return p.cwiseQuotient(squares); };
+  traced.normal = [=](const Vector3d& p) { return Vector3d(p.cwiseQuotient(squares)); };
   traced.point = [=](const Vector3d& n) {
     return Vector3d(product(squares, n) / std::sqrt(-n.dot(product(squares, n))));
   };
@@ -397,7 +397,7 @@ EnvelopeChain one_sheet_hyperboloid(const std::array<Rational, 3>& half, const V
             false};
   };
   const Vector3d squares(a.x() * a.x(), a.y() * a.y(), -a.z() * a.z());
-  traced.normal = [=](const Vector3d& p) { return p.cwiseQuotient(squares); };
+  traced.normal = [=](const Vector3d& p) { return Vector3d(p.cwiseQuotient(squares)); };
   traced.point = [=](const Vector3d& n) {
     return Vector3d(product(squares, n) / std::sqrt(n.dot(product(squares, n))));
   };

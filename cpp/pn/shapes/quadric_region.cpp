@@ -82,6 +82,9 @@ Curve part(const Curve& curve, double begin, double end) {
 /// The arcs of a conic between its cuts. A closed one runs on through its start.
 std::vector<Curve> arcs_between(const BoundaryConic& conic, std::vector<double> cuts) {
   std::sort(cuts.begin(), cuts.end());
+  // Bounds that meet on the conic cut it once.
+  const auto is_near = [](double a, double b) { return b - a < kSamePoint; };
+  cuts.erase(std::unique(cuts.begin(), cuts.end(), is_near), cuts.end());
   std::vector<Curve> arcs;
   if (conic.is_closed) {
     if (cuts.empty()) return {conic.point};
@@ -92,8 +95,8 @@ std::vector<Curve> arcs_between(const BoundaryConic& conic, std::vector<double> 
     arcs.push_back(part(around, cuts.back(), cuts.front() + 1));
     return arcs;
   }
-  cuts.insert(cuts.begin(), 0);
-  cuts.push_back(1);
+  if (cuts.empty() || !is_near(0, cuts.front())) cuts.insert(cuts.begin(), 0);
+  if (!is_near(cuts.back(), 1)) cuts.push_back(1);
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     arcs.push_back(part(conic.point, cuts[i], cuts[i + 1]));
   }
