@@ -260,7 +260,7 @@ TEST_CASE("Where the surface is not immersed no offset is regular", "[curvature_
   check_empty({{1L, 2L, 3L}, 1L, {}, 1});
 }
 
-TEST_CASE("A spike between the samples is met by the proof", "[curvature_limits]") {
+TEST_CASE("A narrow ridge", "[curvature_limits]") {
   // The cylinder over y = x^2 / 8 + h / (1 + k (x - a)^2): of curvature about 1/4 but for a ridge
   // that is 1 / sqrt(k) wide, of curvature 1/4 - 2 h k, and its feet of curvature up to 1/4 + h k
   // / 2.
@@ -279,6 +279,34 @@ TEST_CASE("A spike between the samples is met by the proof", "[curvature_limits]
   }
   REQUIRE(1 / most < 2);
   check_range({ridge}, 1 / least, 1 / most, 1e-6);
+}
+
+TEST_CASE("A maximum that the samples do not show is met by the proof", "[curvature_limits]") {
+  // The cylinder over y with y'' = p / 100, p = 1 + e x - l x (x - a)^2: p is largest near a, half
+  // way between two samples that are below the value 1 at x = 0.
+  const double a = 17.0 / 32, l = 20, e = l / 2048;
+  const std::vector<double> p = {1, e - l * a * a, 2 * l * a, -l};
+  Polynomial height, power = kX * kX;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double n = static_cast<double>(i);
+    height += power * number(p[i] / 100 / ((n + 1) * (n + 2)));
+    power *= kX;
+  }
+  double most = 0;
+  for (int i = -1000; i <= 1000; ++i) {
+    const double x = a + i * 1e-5;
+    double slope = 0, second = 0;
+    for (std::size_t j = p.size(); j-- > 0;) {
+      slope = slope * x + p[j] / 100 / (static_cast<double>(j) + 1);
+      second = second * x + p[j] / 100;
+    }
+    slope *= x;
+    most = std::max(most, second / std::pow(1 + slope * slope, 1.5));
+  }
+  REQUIRE(1 / most < 99.8);
+  const OffsetRange found = curvature_limits({graph(height, 0, 1, 0, 1)}, kTolerance);
+  CHECK(found.upper < 1 / most);
+  CHECK(found.upper > 1 / most - 1e-6);
 }
 
 TEST_CASE("Bilinear patches against samples", "[curvature_limits]") {

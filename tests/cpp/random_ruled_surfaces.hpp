@@ -73,9 +73,9 @@ class RandomRuledSurface {
     return {noise(amplitude), noise(amplitude), noise(amplitude)};
   }
 
-  /// A C1 B-spline over [begin, end] that runs from `start` along x, over `length`.
+  /// A C1 B-spline over [begin, end] that runs from `start` along x, by `stride` in all.
   BSplineData<3> open_spline(int degree, int spans, double begin, double end, const Point& start,
-                             double length) {
+                             double stride) {
     BSplineData<3> curve;
     curve.degree = degree;
     const int most = std::max(1, degree - 1);
@@ -88,9 +88,11 @@ class RandomRuledSurface {
       curve.multiplicities.push_back(is_end ? degree + 1 : one_in(3) ? most : 1);
     }
     const std::size_t count = pole_count(degree, curve.multiplicities);
-    const double step = length / static_cast<double>(count - 1);
+    // A short binary fraction, as are all numbers here.
+    const double step = std::ldexp(std::round(std::ldexp(stride / (count - 1.0), 6)), -6);
+    const double roughness = step * between(0, 4) / 8.0;
     for (std::size_t i = 0; i < count; ++i) {
-      Point pole = noise_point(0.5 * step);
+      Point pole = noise_point(roughness);
       pole[0] += step * static_cast<double>(i);
       for (std::size_t c = 0; c < 3; ++c) pole[c] += start[c];
       curve.poles.push_back(pole);
@@ -108,19 +110,19 @@ class RandomRuledSurface {
   RuledInput open_splines() {
     const int p = between(1, 4), q = one_in(2) ? p : between(1, 4);
     const int spans = one_in(3) ? between(2, 6) : 1;
-    const double begin = noise(1), length = 8;
+    const double begin = noise(1), stride = 8;
     RuledInput input{"open splines", {}, {}};
-    input.curves[0] = open_spline(p, spans, begin, begin + 2, {0, 0, 0}, length);
+    input.curves[0] = open_spline(p, spans, begin, begin + 2, {0, 0, 0}, stride);
     const Point across = {noise(2), 4 + noise(2), noise(4)};
     if (one_in(3)) {
       input.kind += ", other domain";
       const double other = noise(4);
       // An odd length makes breaks that are no doubles in the first curve's domain.
       input.curves[1] =
-          open_spline(q, between(1, 3), other, other + between(1, 5), across, length + noise(4));
+          open_spline(q, between(1, 3), other, other + between(1, 5), across, stride + noise(4));
     } else {
       input.curves[1] = open_spline(q, p == q ? spans : between(1, 3), begin, begin + 2, across,
-                                    length + noise(4));
+                                    stride + noise(4));
       if (p == q && one_in(2)) {
         input.curves[1].knots = input.curves[0].knots;
         if (input.curves[1].poles.size() == input.curves[0].poles.size()) {
@@ -154,7 +156,7 @@ class RandomRuledSurface {
       const Point direction = {1, noise(0.5), noise(0.5)};
       for (std::size_t i = 0; i < curve.poles.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
-          curve.poles[i][c] = static_cast<double>(i) * direction[c];
+          curve.poles[i][c] = 2 * static_cast<double>(i) * direction[c];
         }
       }
     }
@@ -222,14 +224,14 @@ class RandomRuledSurface {
     const Rational at = Rational(static_cast<long>(between(1, 15))) / Rational(16);
     const RationalPolynomial from({-at, Rational(1)}), three(3L);
     std::array<RationalPolynomial, 3> a, g;
-    const long tilt = between(-2, 2), along = between(-2, 2);
+    const long tilt = between(-1, 1), along = between(-1, 1);
     for (std::size_t i = 0; i < 3; ++i) {
-      a[i] = three * integers(one_in(2) ? 3 : 2, 4);
+      a[i] = three * integers(one_in(2) ? 3 : 2, 2);
       if (i == 0) a[i] += RationalPolynomial({Rational(0), Rational(24)});
       const Rational ruling(static_cast<long>(i == 1 ? 24 : 3 * between(-4, 4)));
       const Rational slope = Rational(tilt) * ruling + Rational(along) * a[i].derivative()(at);
       g[i] = RationalPolynomial(ruling) + from * RationalPolynomial(slope) +
-             three * from * from * integers(0, 4);
+             three * from * from * integers(0, 2);
     }
     return {"a torsal ruling inside", {bezier(a, 3), bezier(sum(a, g), 3)}, {}};
   }
@@ -257,6 +259,7 @@ class RandomRuledSurface {
   /// The tangents of both curves are parallel at one end or both.
   RuledInput parallel_end_tangents() {
     RuledInput input{"parallel end tangents", {}, {}};
+    const bool rounded = one_in(4);
     const int degree = between(2, 3), spans = between(1, 3);
     input.curves[0] = open_spline(degree, spans, 0, 2, {0, 0, 0}, 8);
     input.curves[1] =
@@ -361,13 +364,13 @@ class RandomRuledSurface {
     }
     for (BSplineData<3>& curve : input.curves) curve.weights.clear();
     input.radii.emplace();
-    const double steepness = one_in(3) ? 2 : 0.5;
+    const double steepness = one_in(4) ? 0.75 : 0.25;
     for (std::size_t side = 0; side < 2; ++side) {
       const BSplineData<3>& curve = input.curves[side];
       BSplineData<1> law{curve.degree, curve.knots, curve.multiplicities, {}, {}};
-      const double least = 2 + noise(1);
+      const double least = 1 + noise(0.5), step = 8 / (curve.poles.size() - 1.0);
       for (std::size_t i = 0; i < curve.poles.size(); ++i) {
-        law.poles.push_back({least + noise(steepness)});
+        law.poles.push_back({std::abs(least + noise(steepness * step))});
       }
       (*input.radii)[side] = law;
     }

@@ -26,6 +26,10 @@ class RuledOffsetTest(GuiTest):
             FreeCADGui.Selection.addSelection(source, name)
         return self.run_creation(COMMAND)
 
+    def ruled_object(self):
+        edges = self.line.Shape.Edges[0], self.rail.Shape.Edges[0]
+        return self.shape_object(Part.makeRuledSurface(*edges), "Ruled")
+
     def open_between_lines(self):
         return self.open_ruled_panel((self.line, "Edge1"), (self.rail, "Edge1"))
 
@@ -68,11 +72,10 @@ class CreationTest(RuledOffsetTest):
             self.assert_asks(COMMAND, QUESTION)
 
     def test_two_edges_of_one_object(self):
-        box = self.document.addObject("Part::Box", "Box")
-        self.document.recompute()
-        feature, panel = self.open_ruled_panel((box, "Edge1"), (box, "Edge7"))
-        self.assertEqual(feature.CurveA, (box, ["Edge1"]))
-        self.assertEqual(feature.CurveB, (box, ["Edge7"]))
+        rails = self.shape_object(Part.Compound([self.line.Shape, self.rail.Shape]), "Rails")
+        feature, panel = self.open_ruled_panel((rails, "Edge1"), (rails, "Edge2"))
+        self.assertEqual(feature.CurveA, (rails, ["Edge1"]))
+        self.assertEqual(feature.CurveB, (rails, ["Edge2"]))
         self.assertTrue(feature.isValid(), feature.getStatusString())
         main_window.cancel(panel)
 
@@ -84,11 +87,10 @@ class CreationTest(RuledOffsetTest):
         main_window.cancel(panel)
 
     def test_a_ruled_face(self):
-        tube = self.document.addObject("Part::Cylinder", "Tube")
-        self.document.recompute()
-        feature, panel = self.open_ruled_panel((tube, "Face1"))
-        self.assertEqual(feature.Face, (tube, ["Face1"]))
-        self.assertIn("closed", input_of(panel, "source").text())
+        ruled = self.ruled_object()
+        feature, panel = self.open_ruled_panel((ruled, "Face1"))
+        self.assertEqual(feature.Face, (ruled, ["Face1"]))
+        self.assertIn("degree 1, spans 1", input_of(panel, "source").text())
         self.assertTrue(feature.isValid(), feature.getStatusString())
         main_window.confirm(panel)
 
@@ -111,7 +113,7 @@ class PanelTest(RuledOffsetTest):
             self.assertIn(part, text)
 
     def test_selection_replaces_the_curves(self):
-        other = self.shape_object(Part.makeLine(Vector(0, 60, 0), Vector(0, 50, 90)), "Other")
+        other = self.shape_object(Part.makeLine(Vector(0, 60, 0), Vector(20, 50, 90)), "Other")
         feature, panel = self.open_between_lines()
         before = poles(feature)
         FreeCADGui.Selection.clearSelection()
@@ -127,12 +129,11 @@ class PanelTest(RuledOffsetTest):
         self.assertEqual(feature.CurveB, (other, ["Edge1"]))
 
     def test_a_face_replaces_the_curves_and_back(self):
-        tube = self.document.addObject("Part::Cylinder", "Tube")
-        self.document.recompute()
+        ruled = self.ruled_object()
         feature, panel = self.open_between_lines()
-        self.select(tube, "Face1")
+        self.select(ruled, "Face1")
         input_of(panel, "use_selection").click()
-        self.assertEqual((feature.Face, feature.CurveA), ((tube, ["Face1"]), None))
+        self.assertEqual((feature.Face, feature.CurveA), ((ruled, ["Face1"]), None))
         FreeCADGui.Selection.clearSelection()
         for source in (self.line, self.rail):
             FreeCADGui.Selection.addSelection(source, "Edge1")

@@ -268,6 +268,21 @@ class Regions(DocumentTest):
         self.assertAlmostEqual(low, 0, delta=1e-6)
         self.assertAlmostEqual(high, 20, delta=1e-11)
 
+    def test_a_slanted_edge_is_enclosed(self):
+        """The plane at distance 6 from the centre, 30 degrees steep, cuts a circle of radius 8."""
+        tilt = math.radians(30)
+        normal = Vector(math.sin(tilt), 0, math.cos(tilt))
+        box = Part.makeBox(40, 40, 40, Vector(-20, -20, 0))
+        position = Placement(normal * 6, Rotation(Vector(0, 0, 1), normal))
+        box.Placement = position.multiply(box.Placement)
+        cap = Part.makeSphere(10).common(box)
+        face = next(face for face in cap.Faces if isinstance(face.Surface, Part.Sphere))
+        found = read_quadric_face(face)
+        self.assertFalse(found.covered)
+        low, high = found.bounds["z"]
+        self.assertAlmostEqual(low, 6 * math.cos(tilt) - 8 * math.sin(tilt), delta=1e-6)
+        self.assertEqual(high, 10)
+
     def test_other_edges_are_enclosed_and_told(self):
         cut = Part.makeSphere(10).cut(Part.makeBox(8, 8, 30, Vector(3, 3, -15)))
         face = next(face for face in cut.Faces if isinstance(face.Surface, Part.Sphere))

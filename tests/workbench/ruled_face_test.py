@@ -65,6 +65,8 @@ class Ruled(RuledFaceTest):
             self.assertTrue(chain.closed)
             (curve,) = chain.curves
             self.assertEqual(curve.getPole(1), curve.getPole(curve.NbPoles))
+            ends = curve.getMultiplicities()[0], curve.getMultiplicities()[-1]
+            self.assertEqual(ends, (curve.Degree + 1, curve.Degree + 1))
             for i in range(16):
                 point = curve.value(2 * math.pi * i / 16)
                 self.assertAlmostEqual(math.hypot(point.x, point.y), 5, delta=1e-14)

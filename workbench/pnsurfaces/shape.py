@@ -5,10 +5,15 @@
 first; corresponding faces have the same parameters.
 """
 
+from collections import Counter
+
 import numpy as np
 import Part
 
 from pnsurfaces import kernel
+
+# A wall and its face have the same curve, each within some 1e-9 mm of it. Nothing else is as near.
+_SEWING_TOLERANCE = 1e-6
 
 
 def surface_of_sections(sections):
@@ -21,6 +26,8 @@ def solid_of_sections(sections):
     """The solid inside one section, closed flat, or the one between two, closed by normals."""
     if len(sections) == 1:
         return _shape(kernel.pnocct().capped_solid(sections[0]))
+    if any(face.trims for faces in sections for face in faces):
+        return _joined_by_walls(*(_shape(kernel.pnocct().shell(faces)) for faces in sections))
     return _shape(kernel.pnocct().thick_solid(*sections))
 
 
@@ -31,6 +38,25 @@ def storage_loss(stored, exact):
         return np.inf
     pairs = zip(map(_poles, stored_faces), map(_poles, exact_faces))
     return max((_difference(a, b) for a, b in pairs), default=np.inf)
+
+
+def _joined_by_walls(inner, outer):
+    """The solid between two open shells of trimmed faces, which pnocct does not join.
+
+    Edges of the same place correspond: both shells come from the same parameters.
+    """
+    pairs = zip(_free_edges(inner), _free_edges(outer))
+    walls = [Part.makeRuledSurface(*pair) for pair in pairs]
+    shell = Part.Compound([*inner.Faces, *outer.Faces, *walls])
+    shell.sewShape(_SEWING_TOLERANCE)
+    return Part.makeSolid(shell)
+
+
+def _free_edges(shell):
+    """The edges of one face only, in the order of the faces."""
+    edges = [edge for face in shell.Faces for edge in face.Edges if not edge.Degenerated]
+    uses = Counter(edge.hashCode() for edge in edges)
+    return [edge for edge in edges if uses[edge.hashCode()] == 1]
 
 
 def _poles(face):

@@ -448,10 +448,7 @@ RoundedBernstein levelled(const RoundedBernstein& p, const std::vector<Term>& re
     }
   }
   for (std::size_t i = 0; i < region.size(); ++i) {
-    // On a tile that only touches the region from outside any large multiple is of use, on one that
-    // touches its edge from inside none is needed.
-    const double factor = factors[i] * (1 - 2 * region[i].rounded().possible_sign());
-    if (factor > 0) result = result.minus(factor, region[i].rounded());
+    if (factors[i] > 0) result = result.minus(factors[i], region[i].rounded());
   }
   return result;
 }

@@ -54,22 +54,12 @@
 // coefficients: of B, of bidegree (24 p - 16, 24 q - 16) at most, of A, T and U - d^2 V.
 #pragma once
 
-#include <array>
 #include <vector>
 
-#include "pn/algebra/bivariate_polynomial.hpp"
 #include "pn/bezier/offset_limits.hpp"
+#include "pn/isotropic/rational_patch.hpp"
 
 namespace pn {
-
-/// A part of a rational surface: x = point / weight on the part of [0, 1]^2 where all polynomials
-/// of the region are >= 0, with weight > 0 there. Its normal is side (x_u x x_v) / |x_u x x_v|.
-struct RationalPatch {
-  std::array<BivariatePolynomial, 3> point;
-  BivariatePolynomial weight;
-  std::vector<BivariatePolynomial> region;  ///< none: the whole square
-  int side;                                 ///< 1 or -1
-};
 
 /// The certified range of distances: it lies inside the true one, and an end is infinite where
 /// nothing limits it. The finite ends are within a few times `tolerance` [mm] of the true ones,

@@ -9,6 +9,7 @@
 #include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/precision.hpp"
 #include "pn/algebra/roots.hpp"
+#include "pn/bezier/curvature_limits.hpp"
 #include "pn/bezier/proved_limit.hpp"
 
 namespace pn {
@@ -225,6 +226,31 @@ OffsetRange range_at_precision(const EnvelopeChain& chain, double tolerance, lon
   return {lower, focal.empty() ? kInfinity : proved_limit(focal, tolerance, lower, kMargins)};
 }
 
+bool has_spheres(const EnvelopeChain& chain) { return chain.links.front().spheres.has_value(); }
+
+/// The largest distance of a corner of a patch from its middle.
+double extent(const RationalPatch& patch) {
+  const auto at = [&](const Rational& u, const Rational& v) {
+    std::array<double, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) {
+      p[i] = patch.point[i](u, v).to_double() / patch.weight(u, v).to_double();
+    }
+    return p;
+  };
+  const Rational half = Rational(1) / Rational(2);
+  const auto middle = at(half, half);
+  double largest = 0;
+  for (const long u : {0L, 1L}) {
+    for (const long v : {0L, 1L}) {
+      const auto corner = at(Rational(u), Rational(v));
+      const double distance =
+          std::hypot(corner[0] - middle[0], corner[1] - middle[1], corner[2] - middle[2]);
+      if (std::isfinite(distance)) largest = std::max(largest, distance);
+    }
+  }
+  return largest;
+}
+
 /// The distance between the ends of a link's spine.
 double chord(const ChainLink& link) {
   const SphereCurve& curve = link.spheres->curve;
@@ -240,6 +266,8 @@ double chord(const ChainLink& link) {
 }  // namespace
 
 OffsetRange regular_range(const EnvelopeChain& chain, double tolerance) {
+  if (!chain.base.empty()) return curvature_limits(chain.base, tolerance);
+  if (!has_spheres(chain)) return {0, 0};
   if (std::any_of(chain.links.begin(), chain.links.end(), turns_back)) return {0, 0};
   try {
     return at_sufficient_precision(
@@ -252,6 +280,8 @@ OffsetRange regular_range(const EnvelopeChain& chain, double tolerance) {
 
 double default_tolerance(const EnvelopeChain& chain) {
   double size = std::numeric_limits<double>::min();
+  for (const RationalPatch& patch : chain.base) size = std::max(size, extent(patch));
+  if (!has_spheres(chain)) return 1e-9 * size;
   for (const ChainLink& link : chain.links) {
     const RadiusLimit radius(link.spheres->curve, kFirstBits);
     size = std::max({size, std::abs(radius.sample(0)), std::abs(radius.sample(1)), chord(link)});

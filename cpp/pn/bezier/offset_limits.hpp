@@ -36,7 +36,8 @@ struct OffsetRange {
   double lower, upper;  ///< each may be infinite
 };
 
-/// The certified range: it lies inside the true one. Its ends are within a few times `tolerance`
+/// The certified range: it lies inside the true one. Of chains along curves of spheres by the
+/// corollary, of others by the curvature of their base (curvature_limits.hpp). Its ends are within a few times `tolerance`
 /// [mm] of it, except next to a cusp of the spine; the empty range where nothing can be proved.
 OffsetRange regular_range(const EnvelopeChain& chain, double tolerance);
 

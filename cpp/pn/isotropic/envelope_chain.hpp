@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "pn/isotropic/envelope.hpp"
+#include "pn/isotropic/rational_patch.hpp"
 #include "pn/isotropic/sphere_curve.hpp"
 
 namespace pn {
@@ -77,6 +78,9 @@ struct EnvelopeChain {
   std::vector<ChainLink> links;
   bool closed = false;
   Extent extent = WholeCircle{};
+  /// The surface at distance zero, where the limits of its offsets are read off that: of links
+  /// without a curve of spheres. None: no distance is claimed to be regular.
+  std::vector<RationalPatch> base;
   bool exact = true;  ///< no joint was closed up by more than the rounding of the input
   /// Sentences for the user: what was done to the input, and what to know of the envelope.
   std::vector<std::string> notes;

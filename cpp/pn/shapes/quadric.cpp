@@ -8,6 +8,7 @@
 #include "pn/isotropic/along_rulings.hpp"
 #include "pn/isotropic/quadric_pencil.hpp"
 #include "pn/shapes/canal_surface.hpp"
+#include "pn/shapes/quadric_patches.hpp"
 #include "pn/shapes/sphere_spans.hpp"
 
 namespace pn {
@@ -24,6 +25,7 @@ struct TracedQuadric {
   std::function<Vector3d(const Vector3d& point)> normal;  ///< not of unit length
   std::function<Vector3d(const Vector3d& normal)> point;
   double size;                    ///< of the region [mm]
+  std::array<double, 2> widths;   ///< half the extent of a graph in x and in y
   Vector3d some_point;            ///< of the surface
   std::array<Vector3d, 2> poles;  ///< of the parametrization; NaN where there is none
 };
@@ -136,6 +138,7 @@ TracedQuadric traced_graph(const std::array<double, 2>& widths,
             false};
   };
   traced.size = reach;
+  traced.widths = widths;
   traced.some_point = {0, 0, height(0, 0)};
   traced.poles = {no_point(), no_point()};
   return traced;
@@ -226,21 +229,23 @@ BoundedRegion region_of(const TracedQuadric& traced, const QuadricBounds& bounds
   return region;
 }
 
-EnvelopeChain chain_of(Envelope envelope, Extent extent) {
+EnvelopeChain chain_of(Envelope envelope, Extent extent, std::vector<RationalPatch> base) {
   EnvelopeChain chain;
   chain.links.push_back({std::move(envelope), std::nullopt, 0, 1, Joint::kNone});
   chain.extent = std::move(extent);
+  chain.base = std::move(base);
   return chain;
 }
 
 EnvelopeChain pencil_chain(const std::shared_ptr<const QuadricFamily>& family,
-                           const TracedQuadric& traced, const QuadricBounds& bounds) {
+                           const TracedQuadric& traced, const QuadricBounds& bounds,
+                           std::vector<RationalPatch> base) {
   const ParameterOf parameter = [family](const Vector3d&, const Vector3d& n) {
     return family->parameter(n);
   };
   return chain_of(
       Envelope([family](long precision) { return family->forms(precision); }, "nothing"),
-      region_of(traced, bounds, traced_loops(traced, bounds), parameter));
+      region_of(traced, bounds, traced_loops(traced, bounds), parameter), std::move(base));
 }
 
 // Ruled quadrics ---------------------------------------------------------------------------------
@@ -320,9 +325,11 @@ EnvelopeChain hyperbolic_paraboloid(const std::array<Rational, 3>& half, const V
             RationalPolynomial(1L)};
   };
   return chain_of(rulings_between(directrix(s.low), directrix(s.high)),
-                  region_of(traced, bounds, loops, [=](const Vector3d& p, const Vector3d&) {
-                    return (ruling(p) - t.low) / (t.high - t.low);
-                  }));
+                  region_of(traced, bounds, loops,
+                            [=](const Vector3d& p, const Vector3d&) {
+                              return (ruling(p) - t.low) / (t.high - t.low);
+                            }),
+                  paraboloid_patches(half, -1, 1, bounds, traced.widths));
 }
 
 /// The directrix at height z over the rulings T = n / d of x^2/a^2 + y^2/b^2 - z^2/c^2 = 1.
@@ -355,9 +362,10 @@ EnvelopeChain whole_one_sheet_hyperboloid(const std::array<Rational, 3>& half,
     const auto directrix = [&](double z) {
       return hyperboloid_directrix(half, Rational::exactly(z), between(0), between(1));
     };
-    chain.links.push_back({rulings_between(directrix(heights.low), directrix(heights.high)),
-                           std::nullopt, static_cast<double>(i), static_cast<double>(i + 1),
-                           Joint::kTangent});
+    const SphereCurve low = directrix(heights.low), high = directrix(heights.high);
+    chain.links.push_back({rulings_between(low, high), std::nullopt, static_cast<double>(i),
+                           static_cast<double>(i + 1), Joint::kTangent});
+    chain.base.push_back(ruled_patch(low, high));
   }
   return chain;
 }
@@ -435,10 +443,10 @@ EnvelopeChain one_sheet_hyperboloid(const std::array<Rational, 3>& half, const V
     const double at_last = last[0].to_double() * c - last[1].to_double() * s;
     return at_first / (at_first - at_last);
   };
-  return chain_of(
-      rulings_between(hyperboloid_directrix(half, Rational::exactly(heights.low), n, d),
-                      hyperboloid_directrix(half, Rational::exactly(heights.high), n, d)),
-      region_of(traced, bounds, loops, place));
+  const SphereCurve low = hyperboloid_directrix(half, Rational::exactly(heights.low), n, d);
+  const SphereCurve high = hyperboloid_directrix(half, Rational::exactly(heights.high), n, d);
+  return chain_of(rulings_between(low, high), region_of(traced, bounds, loops, place),
+                  {bounded(ruled_patch(low, high), bounds)});
 }
 
 // Developable quadrics ---------------------------------------------------------------------------
@@ -498,7 +506,7 @@ EnvelopeChain cone_of_revolution(const Rational& a, const Rational& c, const Int
   }
   EnvelopeChain chain = chain_of(
       Envelope([=](long precision) { return cone_forms(a, c, heights, precision); }, "nothing"),
-      WholeCircle{});
+      WholeCircle{}, cone_patches({a, a, c}, heights));
   chain.links.front().begin = heights.low;
   chain.links.front().end = heights.high;
   return chain;
@@ -530,15 +538,20 @@ EnvelopeChain quadric(QuadricKind kind, const std::array<double, 3>& half_axes,
   switch (kind) {
     case QuadricKind::kEllipsoid: {
       const auto family = ellipsoid_family(half);
-      return pencil_chain(family, traced_ellipsoid(a, *family), bounds);
+      return pencil_chain(family, traced_ellipsoid(a, *family), bounds,
+                          ellipsoid_patches(half, bounds));
     }
     case QuadricKind::kTwoSheetHyperboloid: {
       const auto family = two_sheet_hyperboloid_family(half);
-      return pencil_chain(family, traced_two_sheet_hyperboloid(a, bounds, *family), bounds);
+      const TracedQuadric traced = traced_two_sheet_hyperboloid(a, bounds, *family);
+      return pencil_chain(family, traced, bounds,
+                          two_sheet_hyperboloid_patches(half, bounds, traced.widths));
     }
     case QuadricKind::kEllipticParaboloid: {
       const auto family = elliptic_paraboloid_family(half);
-      return pencil_chain(family, traced_elliptic_paraboloid(a, bounds, *family), bounds);
+      const TracedQuadric traced = traced_elliptic_paraboloid(a, bounds, *family);
+      return pencil_chain(family, traced, bounds,
+                          paraboloid_patches(half, 1, -1, bounds, traced.widths));
     }
     case QuadricKind::kHyperbolicParaboloid:
       return hyperbolic_paraboloid(half, a, bounds);

@@ -7,6 +7,7 @@
 #include "pn/algebra/roots.hpp"
 #include "pn/geometry_error.hpp"
 #include "pn/isotropic/along_rulings.hpp"
+#include "pn/shapes/quadric_patches.hpp"
 #include "pn/shapes/sphere_spans.hpp"
 
 namespace pn {
@@ -83,10 +84,10 @@ void require_skew(const Span& span) {
   }
   for (const RealRoot& torsal : roots_in_unit_interval(turn)) {
     if (torsal.multiplicity == 1) continue;
-    throw GeometryError(ErrorCode::kDevelopable,
-                        "The surface is developable to second order along the ruling at parameter " +
-                            show(parameter(span, torsal.value.midpoint())) +
-                            ". Move one of the curves a little.");
+    throw GeometryError(
+        ErrorCode::kDevelopable,
+        "The surface is developable to second order along the ruling at parameter " +
+            show(parameter(span, torsal.value.midpoint())) + ". Move one of the curves a little.");
   }
 }
 
@@ -161,6 +162,12 @@ Envelope envelope_of(const Span& span) {
   }
 }
 
+/// All spheres are points: the surface itself is a ruled one.
+bool is_line_family(const Span& span) {
+  return span.directrices[0].spheres.radius.is_zero() &&
+         span.directrices[1].spheres.radius.is_zero();
+}
+
 EnvelopeChain chain_of(const std::vector<Span>& spans) {
   EnvelopeChain chain;
   chain.extent = RulingBand{};
@@ -173,6 +180,9 @@ EnvelopeChain chain_of(const std::vector<Span>& spans) {
     if (i == 0 && chain.closed) joint = joint_between(spans.back(), spans.front());
     chain.links.push_back({std::move(*envelopes[i]), std::nullopt, spans[i].begin().to_double(),
                            spans[i].end().to_double(), joint});
+    const auto& [first, second] = spans[i].directrices;
+    if (!is_line_family(spans[i])) continue;
+    chain.base.push_back(ruled_patch(first.spheres, second.spheres));
   }
   return chain;
 }
