@@ -236,7 +236,7 @@ int room_for_lines(const Envelope& envelope) {
 }
 
 /// How the lines of a band are tried: the degree of F, the margin beyond the directrices as a part
-/// of the rulings, and whether segments may be halved.
+/// of the arc between their normals, and whether segments may be halved.
 struct BandAttempt {
   int lines_degree;
   double margin;

@@ -66,11 +66,13 @@ Matrix2d BandLines::factor(std::size_t link, double place) const {
   const auto& rulings = std::get<RulingForms<double>>(links_[link].carrier);
   const double t = beside_torsal_rulings(link, place);
   const Matrix2cd a = value_at(links_[link].spinor, t);
-  const Vector2d low = parameter_of(a, band_normal(rulings, t, -margin_));
-  const Vector2d high = parameter_of(a, band_normal(rulings, t, 1 + margin_));
-  const bool is_short_arc = (a * low).dot(a * high).real() > 0;
+  const Vector2d low = parameter_of(a, band_normal(rulings, t, 0));
+  const Vector2d turned = parameter_of(a, band_normal(rulings, t, 1));
+  const bool is_short_arc = (a * low).dot(a * turned).real() > 0;
+  const Vector2d high = is_short_arc ? turned : Vector2d(-turned);
+  const Vector2d before = low - margin_ * (high - low), after = high + margin_ * (high - low);
   Matrix2d factor;
-  factor << low, is_short_arc ? high : Vector2d(-high);
+  factor << before / (a * before).norm(), after / (a * after).norm();
   return factor;
 }
 

@@ -2,11 +2,11 @@
 // Ruling band: the lines of a ruled surface that run along its two directrices.
 //
 // On the ruling from c0(t) to c1(t) the normal at v is orthogonal to g and to (1 - v) c0' + v c1'.
-// The target makes the normals at v = -margin and v = 1 + margin the lines u = (1 : 0) and u = (0 :
-// 1), with weight 1 on both, so that the band between them is the arc u = (1 - s : s), s in [0, 1],
-// and its weights are positive: the middle one is the cosine of half the angle between the normals.
-// The directrices themselves are no lines u = const, their normals being irrational; the margin
-// leaves them inside.
+// The target makes the normals of both directrices, and a margin of the arc between them beyond,
+// the lines u = (1 : 0) and u = (0 : 1), with weight 1 on both: the band is the arc u = (1 - s :
+// s), s in [0, 1], and its weights are positive, the middle one being the cosine of half the angle
+// between the normals. The directrices themselves are no lines u = const, their normals being
+// irrational; the margin leaves them inside.
 #pragma once
 
 #include "pn/bezier/target_lines.hpp"
@@ -27,7 +27,7 @@ double band_parameter(const FormInU<double>& directrix, double t);
 
 class BandLines : public TargetLines {
  public:
-  /// `links` carry rulings; `margin` is a part of the length of a ruling.
+  /// `links` carry rulings; `margin` is a part of the arc of normals between the directrices.
   BandLines(std::vector<IsotropicHypersurface<double>> links, double margin);
 
  private:

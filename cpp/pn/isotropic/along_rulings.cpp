@@ -19,15 +19,6 @@ Vector4 numerator(const SphereCurve& c) {
 
 Vector4 vector_of(const CircleFamily& g) { return {g.axis[0], g.axis[1], g.axis[2], -g.level}; }
 
-template <class Combine>
-Vector4 each(const Vector4& a, const Vector4& b, const Combine& combine) {
-  return {combine(a[0], b[0]), combine(a[1], b[1]), combine(a[2], b[2]), combine(a[3], b[3])};
-}
-
-int degree(const Vector4& a) {
-  return std::max({a[0].degree(), a[1].degree(), a[2].degree(), a[3].degree()});
-}
-
 /// The coordinates of a ^ b.
 std::vector<RationalPolynomial> bivector(const Vector4& a, const Vector4& b) {
   std::vector<RationalPolynomial> result;
@@ -92,6 +83,11 @@ RationalPolynomial determinant(const Vector4& a, const Vector4& b, const Vector4
          a[k] * (b[i] * c[j] - b[j] * c[i]);
 }
 
+/// All spheres are points.
+bool is_line_family(const Rulings& rulings) {
+  return rulings.direction.level.is_zero() && rulings.point.radius.is_zero();
+}
+
 Vector4 motion(const SphereCurve& point) {
   Vector4 result = numerator(point);
   for (RationalPolynomial& p : result) p = wronskian(p, point.denominator);
@@ -150,15 +146,69 @@ double side_of(const RulingForms<double>& f) {
 /// The linear function by which sections divided by t - t* for every torsal ruling have to be
 /// multiplied to continue those of neighbours, which are not. Where a torsal ruling is the joint
 /// itself both neighbours divide, and 1 / length makes it the same in the designer's parameter.
-Form<RealBall> neighbours_scale(const std::vector<RealBall>& torsal, const RealBall& length) {
-  if (torsal.empty()) return Form<RealBall>::constant(RealBall(1));
+Form<RealBall> neighbours_scale(const std::vector<RealBall>& torsal, const SpanPlace& place,
+                                long precision) {
   RealBall start(1), end(1);
+  const RealBall at_joint(Rational(1) / place.length, precision);
   for (const RealBall& t : torsal) {
     const RealBall from_end = RealBall(1) - t;
-    start *= t.is_zero() ? RealBall(1) / length : abs(t);
-    end *= from_end.is_zero() ? RealBall(1) / length : abs(from_end);
+    if (place.meets_before) start *= t.is_zero() ? at_joint : abs(t);
+    if (place.meets_after) end *= from_end.is_zero() ? at_joint : abs(from_end);
   }
-  return Form<RealBall>({start, end - start});
+  const bool is_constant = torsal.empty() || !(place.meets_before || place.meets_after);
+  return is_constant ? Form<RealBall>::constant(start) : Form<RealBall>({start, end - start});
+}
+
+/// The minors of a', g, g' without the first, second, third and fourth coordinate.
+Vector4 minors(const Rulings& rulings) {
+  const Vector4 a = motion(rulings.point), g = vector_of(rulings.direction), turn = slope(g);
+  return {determinant(a, g, turn, 1, 2, 3), determinant(a, g, turn, 0, 2, 3),
+          determinant(a, g, turn, 0, 1, 3), determinant(a, g, turn, 0, 1, 2)};
+}
+
+/// At a free end of a span torsal rulings count that lie beyond it by up to this part: end tangents
+/// that are parallel but for the rounding of the poles put them there.
+Rational beyond_free_end() { return Rational(1) / Rational(16); }
+
+/// The zeros of a polynomial in the span, exact at joints.
+std::vector<RealBall> roots_on_span(RationalPolynomial p, const SpanPlace& place, long precision) {
+  std::vector<RealBall> roots;
+  for (const long end : {0L, 1L}) {
+    if (!p(Rational(end)).is_zero()) continue;
+    roots.emplace_back(end);
+    p = p.without_root(Rational(end));
+  }
+  if (p.degree() == 0) return roots;
+  const Rational beyond = beyond_free_end();
+  const RealBall low(place.meets_before ? Rational(0) : -beyond, precision);
+  const RealBall high(place.meets_after ? Rational(1) : Rational(1) + beyond, precision);
+  for (const RealRoot& root : isolate_roots(p, precision).real) {
+    const RealBall from_low = root.value - low, from_high = high - root.value;
+    if (from_low.is_negative() || from_high.is_negative()) continue;
+    if (!from_low.is_positive() || !from_high.is_positive()) {
+      throw Undecided("the place of a torsal ruling");
+    }
+    // Double roots inside are the caller's to refuse; beyond an end they do not matter.
+    if (root.multiplicity == 1) roots.push_back(root.value);
+  }
+  return roots;
+}
+
+/// Of the zeros of the torsal polynomial those whose normal N is that of the wanted sheet.
+std::vector<RealBall> torsal_roots(const Rulings& rulings, const RulingForms<double>& forms,
+                                   const SpanPlace& place, long precision) {
+  constexpr double kAside = 1e-4;  // at the root itself the band has no normal of its own for lines
+  std::vector<RealBall> roots = roots_on_span(torsal_polynomial(rulings), place, precision);
+  if (is_line_family(rulings)) return roots;
+  const Vector4 m = minors(rulings);
+  const auto is_of_other_sheet = [&](const RealBall& root) {
+    const Rational t = Rational::exactly(root.midpoint());
+    const Vector3d n(m[0](t).to_double(), -m[1](t).to_double(), m[2](t).to_double());
+    const double place_beside = root.midpoint() + (root.midpoint() < 0.5 ? kAside : -kAside);
+    return n.dot(band_normal(forms, place_beside, 0.5)) * m[3](t).sign() < 0;
+  };
+  roots.erase(std::remove_if(roots.begin(), roots.end(), is_of_other_sheet), roots.end());
+  return roots;
 }
 
 RulingForms<RealBall> turned(RulingForms<RealBall> f, double factor) {
@@ -226,39 +276,24 @@ Rulings with_least_denominator(const Rulings& rulings) {
 }
 
 RationalPolynomial torsion(const Rulings& rulings) {
-  const Vector4 a = motion(rulings.point), g = vector_of(rulings.direction), turn = slope(g);
-  return common_divisor(determinant(a, g, turn, 0, 1, 2),
-                        {determinant(a, g, turn, 0, 1, 3), determinant(a, g, turn, 0, 2, 3),
-                         determinant(a, g, turn, 1, 2, 3)});
+  const Vector4 m = minors(rulings);
+  return common_divisor(m[0], {m[1], m[2], m[3]});
 }
 
-std::vector<RealBall> torsal_roots(const Rulings& rulings, long precision) {
-  RationalPolynomial turn = torsion(rulings);
-  std::vector<RealBall> roots;
-  for (const long end : {0L, 1L}) {
-    if (!turn(Rational(end)).is_zero()) continue;
-    roots.emplace_back(end);
-    turn = turn.without_root(Rational(end));
-  }
-  if (turn.degree() == 0) return roots;
-  for (const RealRoot& root : isolate_roots(turn, precision).real) {
-    const RealBall from_end = RealBall(1) - root.value;
-    if (root.value.is_negative() || from_end.is_negative()) continue;
-    if (!root.value.is_positive() || !from_end.is_positive()) {
-      throw Undecided("the place of a torsal ruling");
-    }
-    roots.push_back(root.value);
-  }
-  return roots;
+RationalPolynomial torsal_polynomial(const Rulings& rulings) {
+  const Vector4 m = minors(rulings);
+  if (is_line_family(rulings)) return m[3];
+  const RationalPolynomial common = common_divisor(m[0], {m[1], m[2], m[3]});
+  return exact_quotient(m[0] * m[0] + m[1] * m[1] + m[2] * m[2] - m[3] * m[3], common * common);
 }
 
 LocalForms local_forms(const Rulings& rulings, const std::array<SphereCurve, 2>& directrices,
-                       const Rational& length, long precision) {
+                       const SpanPlace& place, long precision) {
   LocalFamily family = local_family(rulings.direction, precision);
   const LocalParameter& t = *family.parameter;
   const SphereCurveForms<RealBall> a = curve_forms(rulings.point, t);
   CircleForms<RealBall> g = circle_forms(rulings.direction, t);
-  const RealBall rate(Rational(1) / length, precision);
+  const RealBall rate(Rational(1) / place.length, precision);
   const auto slope_of = [&](const Form<RealBall>& p) { return p.derivative() * rate; };
   const auto wronskian_of = [&](const Form<RealBall>& p) {
     return slope_of(p) * a.denominator - p * slope_of(a.denominator);
@@ -276,8 +311,10 @@ LocalForms local_forms(const Rulings& rulings, const std::array<SphereCurve, 2>&
   f.radius_wronskian = wronskian_of(a.radius);
   f.level_slope = slope_of(g.level);
   f.directrices = {curve_forms(directrices[0], t), curve_forms(directrices[1], t)};
-  f.torsal_roots = torsal_roots(rulings, precision);
-  f.scale = neighbours_scale(f.torsal_roots, RealBall(length, precision));
+  f.scale = Form<RealBall>::constant(RealBall(1));
+  f.torsal_roots = torsal_roots(
+      rulings, std::get<RulingForms<double>>(midpoint(Carrier<RealBall>(f))), place, precision);
+  f.scale = neighbours_scale(f.torsal_roots, place, precision);
   f.degree = t.is_substituted() ? 2 * a.denominator.degree() + g.level.degree() - 2
                                 : excess_degree(rulings);
   for (const DoubleRoots::Real& root : family.roots.real) {
@@ -289,9 +326,9 @@ LocalForms local_forms(const Rulings& rulings, const std::array<SphereCurve, 2>&
 }
 
 Envelope along_rulings(const Rulings& rulings, const std::array<SphereCurve, 2>& directrices,
-                       const Rational& length) {
+                       const SpanPlace& place) {
   return Envelope(
-      [=](long precision) { return local_forms(rulings, directrices, length, precision); },
+      [=](long precision) { return local_forms(rulings, directrices, place, precision); },
       "the degree of both curves (now " +
           std::to_string(std::max(directrices[0].degree(), directrices[1].degree())) +
           "), for instance by cubic B-splines");

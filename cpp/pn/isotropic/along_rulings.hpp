@@ -49,23 +49,29 @@ JoinedRulings joined(const SphereCurve& first, const SphereCurve& second);
 /// The same lines with the point a of least denominator on each.
 Rulings with_least_denominator(const Rulings& rulings);
 
-/// The greatest common divisor of the minors of a', g, g', freed of denominators, by which the
-/// family turns: zero when it is developable, zero at a parameter when the ruling there is torsal.
+/// Where a span lies: the length of its parameter, and whether neighbours meet its ends.
+struct SpanPlace {
+  Rational length;
+  bool meets_before, meets_after;
+};
+
+/// The greatest common divisor of the minors of a', g, g', freed of denominators: zero when the
+/// family is developable.
 RationalPolynomial torsion(const Rulings& rulings);
 
-/// The zeros of the torsion in [0, 1]; those at the ends are exact. Throws Undecided when the
-/// precision does not suffice.
-std::vector<RealBall> torsal_roots(const Rulings& rulings, long precision);
+/// Zero where the normal N of a', g and g' is isotropic, freed of common factors. For lines (R = 0)
+/// it is the torsion itself: the ruling is torsal there.
+RationalPolynomial torsal_polynomial(const Rulings& rulings);
 
-/// The family in the local parameter, its slopes by a parameter of this length on the span.
-/// `directrices` bound the wanted part of every ruling.
+/// The family in the local parameter, its slopes by the designer's. `directrices` bound the wanted
+/// part of every ruling.
 LocalForms local_forms(const Rulings& rulings, const std::array<SphereCurve, 2>& directrices,
-                       const Rational& length, long precision);
+                       const SpanPlace& place, long precision);
 
 /// Gamma along rulings that are not developable, with D > 0 on [0, 1]. Throws GeometryError when
 /// every section exceeds the largest degree.
 Envelope along_rulings(const Rulings& rulings, const std::array<SphereCurve, 2>& directrices,
-                       const Rational& length);
+                       const SpanPlace& place);
 
 /// The unit normal at (1 - v) c0 + v c1 between the directrices, on the side of
 /// ((1 - v) c0' + v c1') x g.

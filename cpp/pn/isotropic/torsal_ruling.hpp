@@ -12,9 +12,8 @@
 // by 3.
 //
 // Proof: A E u = (t - t*) u_0 A e1 + u_1 A e0, so at t* the vector w is u_1^2 w0. Near t* the form
-// <w, a'
-// + v g'> is (t - t*) times a form in u whose zero moves with v, as long as t* is a simple root of
-// the torsion. QED
+// <w, a' + v g'> is (t - t*) times a form in u whose zero moves with v, as long as t* is a simple
+// root of the torsion. QED
 #pragma once
 
 #include "pn/isotropic/isotropic_hypersurface.hpp"

@@ -254,9 +254,10 @@ RationalPolynomial linear(const Rational& start, const Rational& end) {
   return RationalPolynomial({start, end - start});
 }
 
-/// Rulings between directrices over one link, with their unit length of parameter.
+/// Rulings between directrices, which no quadric has torsal: the place of the span is of no account.
 Envelope rulings_between(const SphereCurve& low, const SphereCurve& high) {
-  return along_rulings(with_least_denominator(joined(low, high).rulings), {low, high}, Rational(1));
+  return along_rulings(with_least_denominator(joined(low, high).rulings), {low, high},
+                       {Rational(1), false, false});
 }
 
 struct Range {

@@ -62,14 +62,43 @@ void require_length(const Span& span) {
                           ": the ruling there has no length. Shorten the curves a little.");
 }
 
+/// All spheres are points: the surface itself is a ruled one.
+bool is_line_family(const Span& span) {
+  return span.directrices[0].spheres.radius.is_zero() &&
+         span.directrices[1].spheres.radius.is_zero();
+}
+
+using Vector4 = std::array<RationalPolynomial, 4>;
+
+RationalPolynomial minkowski(const Vector4& a, const Vector4& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] - a[3] * b[3];
+}
+
+/// Positive where a sphere of a directrix touches the envelope: <g, g> <c', c'> - <g, c'>^2.
+RationalPolynomial contact_discriminant(const SphereCurve& directrix, const CircleFamily& g) {
+  const CircleFamily slope = tangent_direction(directrix).circles;
+  const Vector4 a = {g.axis[0], g.axis[1], g.axis[2], -g.level};
+  const Vector4 b = {slope.axis[0], slope.axis[1], slope.axis[2], -slope.level};
+  return minkowski(a, a) * minkowski(b, b) - minkowski(a, b) * minkowski(a, b);
+}
+
 void require_cones(const Span& span) {
-  const RationalPolynomial discriminant = span.joined.rulings.direction.discriminant();
-  if (is_positive_on_unit_interval(discriminant)) return;
-  throw GeometryError(ErrorCode::kRadiusTooSteep,
-                      "At " + interval(span) +
-                          " one of two spheres lies inside the other or touches it from within: "
-                          "they have no common cone. Let the radii differ less or move the "
-                          "centres apart.");
+  const CircleFamily& direction = span.joined.rulings.direction;
+  if (!is_positive_on_unit_interval(direction.discriminant())) {
+    throw GeometryError(ErrorCode::kRadiusTooSteep,
+                        "At " + interval(span) +
+                            " one of two spheres lies inside the other or touches it from within: "
+                            "they have no common cone. Let the radii differ less or move the "
+                            "centres apart.");
+  }
+  if (is_line_family(span)) return;
+  for (const SphereSpan& directrix : span.directrices) {
+    if (is_positive_on_unit_interval(contact_discriminant(directrix.spheres, direction))) continue;
+    throw GeometryError(ErrorCode::kRadiusTooSteep,
+                        "At " + interval(span) +
+                            " the cones grow faster than they move: they have no envelope there. "
+                            "Let the radii change more slowly.");
+  }
 }
 
 void require_skew(const Span& span) {
@@ -79,10 +108,9 @@ void require_skew(const Span& span) {
         ErrorCode::kDevelopable,
         "The surface is developable at " + interval(span) +
             ": its tangent planes are the same all along each ruling, and its offset is not "
-            "rational in general. Planes, cylinders and cones of revolution have commands of "
-            "their own.");
+            "rational in general. Make cylinders and cones of revolution as quadrics.");
   }
-  for (const RealRoot& torsal : roots_in_unit_interval(turn)) {
+  for (const RealRoot& torsal : roots_in_unit_interval(torsal_polynomial(span.joined.rulings))) {
     if (torsal.multiplicity == 1) continue;
     throw GeometryError(
         ErrorCode::kDevelopable,
@@ -101,7 +129,7 @@ void require_rulings(const Span& span) {
 std::vector<Rational> cuts_between_torsal_rulings(const std::vector<Span>& spans) {
   std::vector<Rational> cuts;
   for (const Span& span : spans) {
-    const auto torsal = roots_in_unit_interval(torsion(span.joined.rulings));
+    const auto torsal = roots_in_unit_interval(torsal_polynomial(span.joined.rulings));
     for (std::size_t i = 0; i + 1 < torsal.size(); ++i) {
       const double middle = (torsal[i].value.midpoint() + torsal[i + 1].value.midpoint()) / 2;
       cuts.push_back(Rational::exactly(parameter(span, middle)));
@@ -111,17 +139,41 @@ std::vector<Rational> cuts_between_torsal_rulings(const std::vector<Span>& spans
 }
 
 bool has_torsal_ruling(const Span& span) {
-  return !roots_in_unit_interval(torsion(span.joined.rulings)).empty();
+  return !roots_in_unit_interval(torsal_polynomial(span.joined.rulings)).empty();
+}
+
+/// Speeds that differ by no more than this part are one: the rounding of poles and weights, some
+/// hundred units in the last place. The gap is counted in the deviation.
+constexpr double kRoundingOfSpeeds = 1e-12;
+
+/// Sphere and velocity in R^{3,1} at an end of a span, by the designer's parameter.
+Eigen::Vector4d velocity(const SphereSpan& span, long end) {
+  const Rational t(end), length = span.end - span.begin;
+  const RationalPolynomial& q = span.spheres.denominator;
+  const Rational weight = q(t), slope = q.derivative()(t);
+  const auto component = [&](const RationalPolynomial& p) {
+    const Rational rate = p.derivative()(t) * weight - p(t) * slope;
+    return (rate / (weight * weight * length)).to_double();
+  };
+  const SphereCurve& c = span.spheres;
+  return {component(c.centre[0]), component(c.centre[1]), component(c.centre[2]),
+          component(c.radius)};
+}
+
+bool runs_on(const SphereSpan& left, const SphereSpan& right) {
+  const Eigen::Vector4d before = velocity(left, 1), after = velocity(right, 0);
+  return meets(left, right, 0) &&
+         (after - before).norm() <= kRoundingOfSpeeds * (after.norm() + before.norm());
 }
 
 /// Sections divided by a torsal root keep their value but not their slope at a joint.
 Joint joint_between(const Span& left, const Span& right) {
-  const auto meet = [&](int order) {
-    return meets(left.directrices[0], right.directrices[0], order) &&
-           meets(left.directrices[1], right.directrices[1], order);
-  };
-  if (meet(2) && !has_torsal_ruling(left) && !has_torsal_ruling(right)) return Joint::kSmooth;
-  if (meet(1)) return Joint::kTangent;
+  const auto& [a, b] = left.directrices;
+  const auto& [c, d] = right.directrices;
+  if (meets(a, c, 2) && meets(b, d, 2) && !has_torsal_ruling(left) && !has_torsal_ruling(right)) {
+    return Joint::kSmooth;
+  }
+  if (runs_on(a, c) && runs_on(b, d)) return Joint::kTangent;
   throw GeometryError(ErrorCode::kCornerTooSharp,
                       "At parameter " + show(parameter(right, 0)) +
                           " the curves have a corner or change their speed at once, and the "
@@ -129,17 +181,9 @@ Joint joint_between(const Span& left, const Span& right) {
                           "themselves.");
 }
 
-/// The rulings of a span at the scale at which they continue those before.
-Rulings scaled(Rulings rulings, const Rational& factor) {
-  const RationalPolynomial scale(factor);
-  for (RationalPolynomial& m : rulings.direction.axis) m *= scale;
-  rulings.direction.level *= scale;
-  return rulings;
-}
-
 bool is_closed(const std::vector<Span>& spans) {
-  return meets(spans.back().directrices[0], spans.front().directrices[0], 1) &&
-         meets(spans.back().directrices[1], spans.front().directrices[1], 1);
+  return runs_on(spans.back().directrices[0], spans.front().directrices[0]) &&
+         runs_on(spans.back().directrices[1], spans.front().directrices[1]);
 }
 
 std::vector<Span> spans_between(const std::vector<SphereSpan>& first,
@@ -151,21 +195,14 @@ std::vector<Span> spans_between(const std::vector<SphereSpan>& first,
   return spans;
 }
 
-Envelope envelope_of(const Span& span) {
+Envelope envelope_of(const Span& span, const SpanPlace& place) {
   const std::array<SphereCurve, 2> directrices = {span.directrices[0].spheres,
                                                   span.directrices[1].spheres};
   try {
-    return along_rulings(with_least_denominator(span.joined.rulings), directrices,
-                         span.end() - span.begin());
+    return along_rulings(with_least_denominator(span.joined.rulings), directrices, place);
   } catch (const GeometryError& error) {
     throw GeometryError(error.code(), std::string(error.what()) + ", at " + interval(span) + ".");
   }
-}
-
-/// All spheres are points: the surface itself is a ruled one.
-bool is_line_family(const Span& span) {
-  return span.directrices[0].spheres.radius.is_zero() &&
-         span.directrices[1].spheres.radius.is_zero();
 }
 
 EnvelopeChain chain_of(const std::vector<Span>& spans) {
@@ -173,7 +210,11 @@ EnvelopeChain chain_of(const std::vector<Span>& spans) {
   chain.extent = RulingBand{};
   chain.closed = is_closed(spans);
   std::vector<std::optional<Envelope>> envelopes(spans.size());
-  for_each_index(spans.size(), [&](std::size_t i) { envelopes[i] = envelope_of(spans[i]); });
+  for_each_index(spans.size(), [&](std::size_t i) {
+    const SpanPlace place{spans[i].end() - spans[i].begin(), i > 0 || chain.closed,
+                          i + 1 < spans.size() || chain.closed};
+    envelopes[i] = envelope_of(spans[i], place);
+  });
   for (std::size_t i = 0; i < spans.size(); ++i) {
     Joint joint = Joint::kNone;
     if (i > 0) joint = joint_between(spans[i - 1], spans[i]);
