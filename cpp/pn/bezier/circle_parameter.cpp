@@ -134,24 +134,35 @@ CircleColumns circle_arc(int index, int arcs, int form_degree) {
           composed({control_point(index, arcs), control_point(index + 1, arcs)}, form_degree)};
 }
 
-CircleColumns straight_band(int spans, int form_degree) {
-  SplineColumns<Rational> spline{
-      form_degree,
-      {},
-      composed({{Rational(1), Rational(0)}, {Rational(0), Rational(1)}}, form_degree)};
-  spline.knots.assign(static_cast<std::size_t>(form_degree) + 1, Rational(0));
-  spline.knots.resize(2 * spline.knots.size(), Rational(1));
-  CircleColumns band{form_degree, {0}, {form_degree + 1}, {}};
-  for (int i = 1; i < spans; ++i) {
-    const Rational knot = Rational(i) / Rational(spans);
-    spline = with_knot(spline, knot, [](const Rational& x) { return x; });
-    band.knots.push_back(knot.to_double());
-    band.multiplicities.push_back(1);
+CircleColumns refined(const CircleColumns& columns, int spans) {
+  SplineColumns<Rational> spline{columns.degree, {}, columns.coefficients};
+  for (std::size_t i = 0; i < columns.knots.size(); ++i) {
+    spline.knots.insert(spline.knots.end(), static_cast<std::size_t>(columns.multiplicities[i]),
+                        Rational::exactly(columns.knots[i]));
   }
-  band.knots.push_back(1);
-  band.multiplicities.push_back(form_degree + 1);
-  band.coefficients = std::move(spline.points);
-  return band;
+  CircleColumns result{columns.degree, {}, {}, {}};
+  for (std::size_t i = 0; i < columns.knots.size(); ++i) {
+    result.knots.push_back(columns.knots[i]);
+    result.multiplicities.push_back(columns.multiplicities[i]);
+    if (i + 1 == columns.knots.size()) break;
+    for (int part = 1; part < spans; ++part) {
+      const double knot =
+          columns.knots[i] + (columns.knots[i + 1] - columns.knots[i]) * part / spans;
+      spline = with_knot(spline, Rational::exactly(knot), [](const Rational& x) { return x; });
+      result.knots.push_back(knot);
+      result.multiplicities.push_back(1);
+    }
+  }
+  result.coefficients = std::move(spline.points);
+  return result;
+}
+
+CircleColumns straight_band(int spans, int form_degree) {
+  return refined({form_degree,
+                  {0, 1},
+                  {form_degree + 1, form_degree + 1},
+                  composed({{Rational(1), Rational(0)}, {Rational(0), Rational(1)}}, form_degree)},
+                 spans);
 }
 
 }  // namespace pn

@@ -39,6 +39,9 @@ Eigen::Vector2d circle_point(double s, int spans);
 /// The s in [0, spans) with p(s) parallel to (u0, u1), which is not zero.
 double circle_parameter(double u0, double u1, int spans);
 
+/// The same spline with so many equal spans in the place of each, and simple knots between them.
+CircleColumns refined(const CircleColumns& columns, int spans);
+
 /// Arc number `index` of `arcs` equal ones: one Bezier piece over [index, index + 1].
 CircleColumns circle_arc(int index, int arcs, int form_degree);
 

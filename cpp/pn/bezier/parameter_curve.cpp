@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "pn/bezier/evaluation.hpp"
+#include "pn/geometry_error.hpp"
 
 namespace pn {
 namespace {
@@ -59,6 +60,10 @@ ParameterCurve interpolated(const ParameterPath& path, const std::vector<double>
   Eigen::SparseMatrix<double> collocation(count, count);
   collocation.setFromTriplets(entries.begin(), entries.end());
   const Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(collocation);
+  if (!values.allFinite() || solver.info() != Eigen::Success) {
+    throw GeometryError(ErrorCode::kRegionUnsupported,
+                        "An edge of the surface could not be followed from end to end.");
+  }
   const Eigen::MatrixXd poles = solver.solve(values);
   for (Eigen::Index i = 0; i < count; ++i) curve.poles.push_back({poles(i, 0), poles(i, 1)});
   curve.poles.front() = path(0);

@@ -20,6 +20,7 @@ using ParameterPath = std::function<std::array<double, 2>(double)>;
 
 /// The spline over [0, 1] that follows `path` to within `tolerance` in both coordinates, or as
 /// nearly as doubles allow. Its ends are those of the path, bit for bit.
+/// Throws GeometryError for a path with a value that is not finite.
 ParameterCurve interpolated(const ParameterPath& path, double tolerance);
 
 /// The segment from `start` to `end` over [0, 1].

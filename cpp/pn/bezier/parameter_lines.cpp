@@ -490,25 +490,39 @@ std::vector<CircleColumns> circle_columns(Lines lines, int arcs, int form_degree
 
 namespace {
 
-LinedSegment region_segment(const EnvelopeChain& chain, long precision) {
-  const RegionLines lines = region_lines(chain);
-  const IsotropicHypersurface<RealBall> gamma = chain.links.front().envelope.enclosure(precision);
-  const RealBall origin(Rational::exactly(lines.low), precision),
-      length(Rational::exactly(lines.high) - Rational::exactly(lines.low), precision);
+/// The part of a region's link over an interval, with the region's lines.
+LinedSegment region_segment(const IsotropicHypersurface<RealBall>& gamma, const RegionLines& lines,
+                            double begin, double end, long precision) {
+  const RealBall origin(Rational::exactly(begin), precision),
+      length(Rational::exactly(end) - Rational::exactly(begin), precision);
   const Carrier<RealBall> carrier = on_interval(gamma.carrier, origin, length);
   const SpinorMatrix<ComplexBall> spinor =
       lined<RealBall>(on_segment(gamma.spinor, origin, length),
                       constant_line(short_doubles<RealBall>(lines.factor)));
-  return {false,           lines.low,         lines.high,
-          Joint::kNone,    midpoint(carrier), sections(carrier, isotropic_vector<RealBall>(spinor)),
+  return {false,
+          begin,
+          end,
+          begin == lines.low ? Joint::kNone : Joint::kTangent,
+          midpoint(carrier),
+          sections(carrier, isotropic_vector<RealBall>(spinor)),
           midpoint(spinor)};
+}
+
+std::vector<LinedSegment> region_segments(const EnvelopeChain& chain, long precision) {
+  const RegionLines lines = region_lines(chain);
+  const IsotropicHypersurface<RealBall> gamma = chain.links.front().envelope.enclosure(precision);
+  const auto segment = [&](double begin, double end) {
+    return region_segment(gamma, lines, begin, end, precision);
+  };
+  if (!lines.last_whole) return {segment(lines.low, lines.high)};
+  return {segment(lines.low, *lines.last_whole), segment(*lines.last_whole, lines.high)};
 }
 
 }  // namespace
 
 std::vector<LinedSegment> lined_segments(const EnvelopeChain& chain, Lines lines, long precision) {
   const bool is_region = std::holds_alternative<BoundedRegion>(chain.extent);
-  if (is_region && !is_ruled(chain)) return {region_segment(chain, precision)};
+  if (is_region && !is_ruled(chain)) return region_segments(chain, precision);
   if (chain.closed && room_for_lines(chain.links.back().envelope) == 0) {
     throw GeometryError(
         ErrorCode::kDegreeTooHigh,

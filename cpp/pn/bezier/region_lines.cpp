@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pn/algebra/precision.hpp"
+#include "pn/bezier/circle_parameter.hpp"
 #include "pn/isotropic/seam.hpp"
 
 namespace pn {
@@ -43,8 +44,9 @@ struct BoundaryHull {
   bool winds = false;  ///< some loop goes around the circles
 };
 
+/// Of the parts of the loops with t > beyond.
 BoundaryHull boundary_hull(const BoundedRegion& region,
-                           const SpinorMatrix<std::complex<double>>& spinor) {
+                           const SpinorMatrix<std::complex<double>>& spinor, double beyond) {
   BoundaryHull hull;
   for (const auto& loop : region.loops) {
     double start = 0, last = 0;
@@ -52,6 +54,7 @@ BoundaryHull boundary_hull(const BoundedRegion& region,
     for (const BoundaryArc& arc : loop) {
       for (int i = 0; i < kSamplesPerArc; ++i) {
         const ContactPoint at = arc((i + 0.5) / kSamplesPerArc);
+        if (at.t <= beyond) continue;
         hull.t.add(at.t);
         const Vector2d u = parameter_of(value_at(spinor, at.t), at.normal);
         const double angle = std::atan2(u(1), u(0));
@@ -72,15 +75,59 @@ Matrix2d short_entries(const Matrix2d& a) {
 
 Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// Lines u = (1 : 0) and (0 : 1) at two angles, with weight 1 on both where the link is in the
-/// middle.
-Matrix2d factor_between(const Matrix2cd& a, const Hull& angles) {
-  Vector2d low = direction(angles.low), high = direction(angles.high);
-  low /= (a * low).norm();
-  high /= (a * high).norm();
+/// The directions at two angles, with weight 1 on both on this circle.
+Matrix2d directions(const Matrix2cd& a, const Hull& angles) {
+  const Vector2d low = direction(angles.low), high = direction(angles.high);
   Matrix2d factor;
-  factor << low, high;
+  factor << low / (a * low).norm(), high / (a * high).norm();
   return factor;
+}
+
+/// Even lines on a circle. The line between the halves is turned off the coordinate planes, in
+/// which regions like to have their edges.
+Matrix2d even_lines(const CircleForms<double>& circles, const Matrix2cd& a, double t) {
+  constexpr double kTurn = 0.2137;
+  const Eigen::Vector3d axis = axis_at(circles, t).normalized();
+  const Eigen::Vector3d e = Eigen::AngleAxisd(kTurn, axis) * any_perpendicular(axis);
+  return even_factor(a, circle_normal(circles, t, e));
+}
+
+/// The largest t up to which all circles from a pole on stay on the sheet: their weight is
+/// positive.
+double last_whole_circle(const IsotropicHypersurface<double>& gamma, double high) {
+  constexpr int kCircles = 200, kDirections = 64;
+  const FormInU<double> weight =
+      sections(gamma.carrier, isotropic_vector<double>(gamma.spinor)).weight;
+  const auto is_positive = [&](double t) {
+    for (int i = 0; i < kDirections; ++i) {
+      const Vector2d u = direction(M_PI * i / kDirections);
+      double value = 0;
+      for (int j = 0; j <= weight.degree(); ++j) {
+        value += small_binomial(weight.degree(), j) * weight.coefficient[j](t) *
+                 std::pow(u(0), weight.degree() - j) * std::pow(u(1), j);
+      }
+      if (value <= 0) return false;
+    }
+    return true;
+  };
+  for (int i = 1; i <= kCircles; ++i) {
+    if (!is_positive(high * i / kCircles)) return high * (i - 1) / kCircles;
+  }
+  return high;
+}
+
+/// Circles are taken whole up to this part of the last one that stays on the sheet.
+constexpr double kWholePart = 0.8;
+/// Beyond them the first half covers what the region needs and this part more.
+constexpr double kHalfMargin = 0.1;
+
+/// Lines whose first half, from s = 0 to s = 2 of four arcs, lies between two angles.
+Matrix2d half_between(const Matrix2cd& a, Hull angles) {
+  const double margin = kHalfMargin * (angles.high - angles.low);
+  const Vector2d start = circle_point(0, 4).normalized(), end = circle_point(2, 4).normalized();
+  Matrix2d ends;
+  ends << start, end;
+  return directions(a, {angles.low - margin, angles.high + margin}) * ends.inverse();
 }
 
 }  // namespace
@@ -103,7 +150,7 @@ bool is_bounded_by_parallels(const BoundedRegion& region) {
 RegionLines region_lines(const EnvelopeChain& chain) {
   const auto& region = std::get<BoundedRegion>(chain.extent);
   const auto gamma = midpoint(chain.links.front().envelope.enclosure(kLeastPrecision));
-  const BoundaryHull hull = boundary_hull(region, gamma.spinor);
+  const BoundaryHull hull = boundary_hull(region, gamma.spinor, 0);
   const Hull t = is_bounded_by_parallels(region) ? hull.t : hull.t.widened();
   RegionLines lines;
   lines.low = region.has_first_pole ? 0 : std::max(t.low, kAtPole);
@@ -111,10 +158,19 @@ RegionLines region_lines(const EnvelopeChain& chain) {
   lines.is_closed = region.has_first_pole || region.has_last_pole || hull.winds;
   const double middle = (lines.low + lines.high) / 2;
   const Matrix2cd a = value_at(gamma.spinor, middle);
-  const Eigen::Vector3d normal =
-      circle_normal(gamma.circles, middle, any_perpendicular(axis_at(gamma.circles, middle)));
-  lines.factor = short_entries(lines.is_closed ? even_factor(a, normal)
-                                               : factor_between(a, hull.angle.widened()));
+  if (!lines.is_closed) {
+    lines.factor = short_entries(directions(a, hull.angle.widened()));
+    return lines;
+  }
+  const double whole = last_whole_circle(gamma, lines.high);
+  if (whole == lines.high) {
+    lines.factor = short_entries(even_lines(gamma.circles, a, middle));
+    return lines;
+  }
+  const double split = kWholePart * whole;
+  lines.last_whole = split;
+  const BoundaryHull beyond = boundary_hull(region, gamma.spinor, split);
+  lines.factor = short_entries(half_between(value_at(gamma.spinor, split), beyond.angle));
   return lines;
 }
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <optional>
 
 #include "pn/isotropic/envelope_chain.hpp"
 
@@ -19,14 +20,15 @@ struct RegionLines {
   Eigen::Matrix2d factor;  ///< entries of 24 bits
   double low, high;        ///< in the link's parameter; 0 or 1 exactly at a pole
   bool is_closed;
+  std::optional<double> last_whole;  ///< beyond this circle only the first half goes on
 };
 
 /// The link carries rulings: a region of it lies in the band between its directrices, whose lines
 /// turn (ruling_band.hpp).
 bool is_ruled(const EnvelopeChain& chain);
 
-/// All loops of the region are lines t = const, as parallels on a quadric of revolution are: then the
-/// faces end there and need no trims.
+/// All loops of the region are lines t = const, as parallels on a quadric of revolution are: then
+/// the faces end there and need no trims.
 bool is_bounded_by_parallels(const BoundedRegion& region);
 
 /// For a chain whose extent is a BoundedRegion and whose link carries no rulings.

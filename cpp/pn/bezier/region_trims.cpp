@@ -39,7 +39,7 @@ class RegionParameters {
       : region_(region), segments_(net.segments()), arcs_(net.faces().front().arcs) {}
 
   bool is_closed() const { return arcs_ > 0; }
-  /// Between the knots around; beyond one, paths are only once differentiable.
+  /// Between the arcs around; beyond one, paths are only once differentiable.
   double knot_distance() const { return kAround / arcs_; }
   /// Where one segment ends and the next begins.
   std::vector<double> joints() const {

@@ -408,16 +408,14 @@ struct FaceChoice {
   std::vector<CircleColumns> columns;
   int arcs;  ///< of the whole circle; 0 for a band
   int spans;
+  std::size_t later_columns;  ///< so many of the columns go on after the first run
 };
 
-/// The halves of the circle.
-std::vector<CircleColumns> half_circles(int arcs, int form_degree) {
-  std::vector<CircleColumns> halves = {circle_part(0, arcs / 2, arcs, form_degree),
-                                       circle_part(arcs / 2, arcs, arcs, form_degree)};
-  for (CircleColumns& half : halves) {
-    for (double& knot : half.knots) knot *= static_cast<double>(kLeastArcs) / arcs;
-  }
-  return halves;
+/// The halves of the circle of four arcs, each arc divided into so many spans.
+std::vector<CircleColumns> half_circles(int spans, int form_degree) {
+  constexpr int kHalfArcs = kLeastArcs / 2;
+  return {refined(circle_part(0, kHalfArcs, kLeastArcs, form_degree), spans),
+          refined(circle_part(kHalfArcs, kLeastArcs, kLeastArcs, form_degree), spans)};
 }
 
 /// What is tried until all weights are positive, from few poles to many.
@@ -436,26 +434,31 @@ class FaceChoices {
   void add(const WholeCircle&, const EnvelopeChain&) {
     for (int factor = 1; factor <= kMostFactor; factor *= 2) {
       const int arcs = factor * kLeastArcs;
-      choices_.push_back({circle_columns(lines_, arcs, form_degree_), arcs, 1});
+      choose(circle_columns(lines_, arcs, form_degree_), arcs, 1);
     }
   }
   void add(const RulingBand&, const EnvelopeChain&) {
     for (int factor = 1; factor <= kMostFactor; factor *= 2) {
-      choices_.push_back({{straight_band(factor, form_degree_)}, 0, 1});
+      choose({straight_band(factor, form_degree_)}, 0, 1);
     }
   }
   void add(const BoundedRegion&, const EnvelopeChain& chain) {
-    const bool is_closed = !is_ruled(chain) && region_lines(chain).is_closed;
+    std::optional<RegionLines> region;
+    if (!is_ruled(chain)) region = region_lines(chain);
     for (int factor = 1; factor <= kMostFactor; factor *= 2) {
       for (const int spans : {factor, 2 * factor}) {
-        const int arcs = factor * kLeastArcs;
-        if (is_closed) {
-          choices_.push_back({half_circles(arcs, form_degree_), arcs, spans});
+        if (region && region->is_closed) {
+          choose(half_circles(factor, form_degree_), kLeastArcs, spans);
+          if (region->last_whole) choices_.back().later_columns = 1;
         } else {
-          choices_.push_back({{straight_band(factor, form_degree_)}, 0, spans});
+          choose({straight_band(factor, form_degree_)}, 0, spans);
         }
       }
     }
+  }
+  void choose(std::vector<CircleColumns> columns, int arcs, int spans) {
+    const std::size_t count = columns.size();
+    choices_.push_back({std::move(columns), arcs, spans, count});
   }
 
   Lines lines_;
@@ -465,10 +468,18 @@ class FaceChoices {
 
 /// The faces: run by run, and within a run column set by column set.
 std::vector<FaceNet> face_nets(const Strip& strip, const FaceChoice& choice) {
-  const std::size_t around = choice.columns.size();
-  std::vector<FaceNet> faces(strip.runs.size() * around);
+  struct Place {
+    std::size_t run, columns;
+  };
+  std::vector<Place> places;
+  for (std::size_t run = 0; run < strip.runs.size(); ++run) {
+    const std::size_t count = run == 0 ? choice.columns.size() : choice.later_columns;
+    for (std::size_t i = 0; i < count; ++i) places.push_back({run, i});
+  }
+  std::vector<FaceNet> faces(places.size());
   for_each_index(faces.size(), [&](std::size_t i) {
-    faces[i] = face_net(strip, strip.runs[i / around], choice.columns[i % around], choice.arcs);
+    faces[i] =
+        face_net(strip, strip.runs[places[i].run], choice.columns[places[i].columns], choice.arcs);
   });
   return faces;
 }

@@ -218,8 +218,16 @@ BoundedRegion region_of(const TracedQuadric& traced, const QuadricBounds& bounds
   region.contains = [=, point = traced.point](const Vector3d& n) {
     return is_inside(bounds, point(n));
   };
+  // A pole on the boundary is an end of arcs, whatever rounding says of the bounds there.
+  const auto ends_at = [&](const Vector3d& pole) {
+    return std::any_of(loops.begin(), loops.end(), [&](const BoundaryLoop& loop) {
+      return std::any_of(loop.begin(), loop.end(), [&](const auto& arc) {
+        return (arc(0) - pole).norm() <= kSamePoint * traced.size;
+      });
+    });
+  };
   const auto reaches = [&](const Vector3d& pole) {
-    return pole.allFinite() && is_inside(bounds, pole);
+    return pole.allFinite() && (is_inside(bounds, pole) || ends_at(pole));
   };
   region.has_first_pole = reaches(traced.poles[0]);
   region.has_last_pole = reaches(traced.poles[1]);

@@ -15,8 +15,6 @@ using Curve = std::function<Vector3d(double)>;
 
 /// Places at which a conic is looked at for where it crosses a bound; it does so twice at most.
 constexpr int kSamples = 512;
-/// Points so near, relative to the region, are one: far above rounding, far below what is drawn.
-constexpr double kSamePoint = 1e-9;
 /// Bisection ends at neighbouring doubles before that.
 constexpr int kBisections = 80;
 
@@ -147,7 +145,10 @@ class RegionTracer {
     }
     for (const Vector3d& stop : stops_) {
       const auto at = passage(conic.point, stop, tolerance_);
-      if (at && *at > kSamePoint && *at < 1 - kSamePoint) result.push_back(*at);
+      if (!at) continue;
+      const bool is_end = *at < kSamePoint || *at > 1 - kSamePoint;
+      if (!is_end) result.push_back(*at);
+      if (is_end && conic.is_closed) result.push_back(0);
     }
     return result;
   }

@@ -17,6 +17,9 @@
 
 namespace pn {
 
+/// Points so near, relative to the region, are one: far above rounding, far below what is drawn.
+inline constexpr double kSamePoint = 1e-9;
+
 /// An interval of a coordinate, in millimetres or radians.
 struct Interval {
   double low = -std::numeric_limits<double>::infinity();

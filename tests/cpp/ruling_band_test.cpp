@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/bezier/ruling_band.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "pn/isotropic/seam.hpp"
+#include "rulings_between.hpp"
+
+using namespace pn;
+using namespace pn::test;
+
+namespace {
+
+IsotropicHypersurface<double> band() {
+  RandomDirectrices random(41);
+  return midpoint(along(random.lines(2, 3)).enclosure(128));
+}
+
+Eigen::Vector3d normal_of(const Eigen::Vector2cd& a) {
+  const auto mixed = std::conj(a(0)) * a(1);
+  return Eigen::Vector3d(2 * mixed.real(), 2 * mixed.imag(), std::norm(a(0)) - std::norm(a(1))) /
+         a.squaredNorm();
+}
+
+const RulingForms<double>& rulings_of(const IsotropicHypersurface<double>& gamma) {
+  return std::get<RulingForms<double>>(gamma.carrier);
+}
+
+}  // namespace
+
+TEST_CASE("The target lines are the normals beyond the directrices, of weight 1",
+          "[ruling_band]") {
+  constexpr double kMargin = 0.125;
+  const auto gamma = band();
+  const BandLines lines({gamma}, kMargin);
+  for (const double t : {0.0, 0.3, 0.9}) {
+    const Eigen::Matrix2cd a = value_at(gamma.spinor, t) * lines.at(0, t);
+    const auto& rulings = rulings_of(gamma);
+    const Eigen::Vector3d low = band_normal(rulings, t, -kMargin),
+                          high = band_normal(rulings, t, 1 + kMargin);
+    CHECK((normal_of(a.col(0)) - low).norm() < 1e-10);
+    CHECK((normal_of(a.col(1)) - high).norm() < 1e-10);
+    CHECK(a.col(0).norm() == Approx(1));
+    CHECK(a.col(1).norm() == Approx(1));
+    // The short arc: the weight in its middle is the cosine of half the angle between the normals.
+    const double cosine = std::sqrt((1 + low.dot(high)) / 2);
+    CHECK(a.col(0).dot(a.col(1)).real() == Approx(cosine));
+  }
+}
+
+TEST_CASE("A directrix lies where its tangent is orthogonal to the normal", "[ruling_band]") {
+  const auto gamma = band();
+  const BandLines lines({gamma}, 0.125);
+  const auto w = isotropic_vector<double>(gamma.spinor);
+  const auto forms = directrix_forms(rulings_of(gamma), w);
+  for (const double t : {0.1, 0.5}) {
+    // At this t the lines A F in place of A.
+    const Eigen::Matrix2cd a = value_at(gamma.spinor, t) * lines.at(0, t);
+    for (const std::size_t side : {0, 1}) {
+      FormInU<double> there;
+      const Eigen::Matrix2d f = lines.at(0, t);
+      const auto value = [&](const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
+        const auto& c = forms[side].coefficient;
+        return c[0](t) * u(0) * v(0) + c[1](t) * (u(0) * v(1) + u(1) * v(0)) +
+               c[2](t) * u(1) * v(1);
+      };
+      for (const double q : {value(f.col(0), f.col(0)), value(f.col(0), f.col(1)),
+                             value(f.col(1), f.col(1))}) {
+        there.coefficient.push_back(Form<double>::constant(q));
+      }
+      const double s = band_parameter(there, t);
+      CHECK(s > 0);
+      CHECK(s < 1);
+      const Eigen::Vector3d n =
+          normal_of(a.col(0) * (1 - s) + a.col(1) * s);
+      CHECK((n - band_normal(rulings_of(gamma), t, static_cast<double>(side))).norm() < 1e-10);
+    }
+  }
+}
+
+TEST_CASE("Of two zeros the one nearer to the band", "[ruling_band]") {
+  // (s - 1/4)(s - 3) and (s + 2)(s - 7/8) as Bernstein coefficients; a linear one too.
+  const auto with = [](double q0, double q1, double q2) {
+    FormInU<double> form;
+    for (const double q : {q0, q1, q2}) form.coefficient.push_back(Form<double>::constant(q));
+    return form;
+  };
+  const auto product = [&](double a, double b) {
+    return with(a * b, a * b - (a + b) / 2, (1 - a) * (1 - b));
+  };
+  CHECK(band_parameter(product(0.25, 3), 0) == Approx(0.25));
+  CHECK(band_parameter(product(-2, 0.875), 0) == Approx(0.875));
+  CHECK(band_parameter(product(1e9, 0.5), 0) == Approx(0.5));
+  CHECK(band_parameter(product(0, 5), 0) == Approx(0).margin(1e-15));
+  CHECK(band_parameter(product(1, -4), 0) == Approx(1));
+}
