@@ -97,6 +97,7 @@ pn::QuadricKind kind_of(const std::string& name) {
       {"hyperbolic_paraboloid", pn::QuadricKind::kHyperbolicParaboloid},
       {"elliptic_cylinder", pn::QuadricKind::kEllipticCylinder},
       {"elliptic_cone", pn::QuadricKind::kEllipticCone},
+      {"parabolic_cylinder", pn::QuadricKind::kParabolicCylinder},
   };
   const auto kind = kinds.find(name);
   if (kind == kinds.end()) throw py::value_error("\"" + name + "\" is no kind of quadric");

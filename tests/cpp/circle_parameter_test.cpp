@@ -96,3 +96,56 @@ TEST_CASE("The arcs are squares that continue each other once around", "[circle_
     CHECK(sum == Approx(2 * M_PI));
   }
 }
+
+TEST_CASE("Forms of degree n in u take the monomials of p, degree 2 n along", "[circle_parameter]") {
+  // Of degree 4: the square of the columns of degree 2, where c2 = (p^2, 2 p q, q^2) are taken.
+  const CircleColumns two = pn::circle_part(0, 4, 4, 2), four = pn::circle_part(0, 4, 4, 4);
+  CHECK(four.degree == 8);
+  REQUIRE(four.coefficients.size() == pn::pole_count(four.degree, four.multiplicities));
+  CHECK(four.coefficients.front() == four.coefficients.back());
+  for (const double v : parameters(two)) {
+    const auto a = circle_coefficients(two, v), b = circle_coefficients(four, v);
+    REQUIRE(b.size() == 5);
+    CHECK(b[0] == a[0] * a[0]);
+    CHECK(b[1] == Rational(2L) * a[0] * a[1]);
+    CHECK(b[2] == Rational(2L) * a[0] * a[2] + a[1] * a[1]);
+    CHECK(b[3] == Rational(2L) * a[1] * a[2]);
+    CHECK(b[4] == a[2] * a[2]);
+  }
+}
+
+TEST_CASE("A part of the circle is that part of the whole", "[circle_parameter]") {
+  for (const int degree : {2, 4}) {
+    const CircleColumns whole = pn::circle_part(0, 4, 4, degree),
+                        half = pn::circle_part(1, 3, 4, degree);
+    CHECK(half.knots == std::vector<double>{1, 2, 3});
+    for (const double v : parameters(half)) {
+      CHECK(circle_coefficients(half, v) == circle_coefficients(whole, v));
+    }
+  }
+}
+
+TEST_CASE("The straight band is u = (1 - s : s) for any number of spans", "[circle_parameter]") {
+  for (const int degree : {2, 4}) {
+    for (const int spans : {1, 2, 8}) {
+      const CircleColumns band = pn::straight_band(spans, degree);
+      CHECK(band.degree == degree);
+      CHECK(band.knots.front() == 0);
+      CHECK(band.knots.back() == 1);
+      CHECK(static_cast<int>(band.knots.size()) == spans + 1);
+      REQUIRE(band.coefficients.size() == pn::pole_count(degree, band.multiplicities));
+      for (const double v : parameters(band)) {
+        const auto c = circle_coefficients(band, v);
+        const Rational s = Rational::exactly(v), r = Rational(1L) - s;
+        // C(n, i) r^(n - i) s^i
+        Rational expected(1L);
+        for (int i = 0; i < degree; ++i) expected *= r;
+        CHECK(c[0] == expected);
+        CHECK(c[1] * r == Rational(long{degree}) * expected * s);
+        Rational last(1L);
+        for (int i = 0; i < degree; ++i) last *= s;
+        CHECK(c.back() == last);
+      }
+    }
+  }
+}

@@ -63,3 +63,24 @@ TEST_CASE("Parameters outside the knots are taken at the nearest end", "[evaluat
     CHECK(evaluate(s, 3, 4)[c] == Approx(s.poles.back()[c]));
   }
 }
+
+TEST_CASE("The active basis is positive inside, sums to one and reproduces its variable",
+          "[evaluation]") {
+  const std::vector<double> knots = {-1, 0.5, 2, 3};
+  const std::vector<int> multiplicities = {4, 1, 2, 4};
+  const std::vector<double> flat = {-1, -1, -1, -1, 0.5, 2, 2, 3, 3, 3, 3};
+  for (const double u : {-1.0, -0.3, 0.5, 1.99, 2.0, 2.7, 3.0}) {
+    const pn::ActiveBasis basis = pn::active_basis(3, knots, multiplicities, u);
+    REQUIRE(basis.values.size() == 4);
+    CHECK(basis.first + 4 <= pn::pole_count(3, multiplicities));
+    double sum = 0, mean = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t pole = basis.first + i;
+      CHECK(basis.values[i] >= 0);
+      sum += basis.values[i];
+      mean += basis.values[i] * (flat[pole + 1] + flat[pole + 2] + flat[pole + 3]) / 3;
+    }
+    CHECK(sum == Approx(1));
+    CHECK(mean == Approx(u));  // the Greville abscissae are the poles of the identity
+  }
+}

@@ -17,6 +17,7 @@
 
 #include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/rational_polynomial.hpp"
+#include "pn/algebra/roots.hpp"
 #include "pn/bezier/bspline_surface.hpp"
 #include "pn/shapes/curve.hpp"
 #include "spline_output.hpp"
@@ -54,6 +55,7 @@ class RandomRuledSurface {
       case 4:
         return circles();
       case 5:
+        return rescaled(common_factor());
       case 6:
         return rescaled(cones());
       default:
@@ -277,6 +279,36 @@ class RandomRuledSurface {
     const int which = between(1, 3);
     if (which & 1) make_parallel(0, 1, 1, 0);
     if (which & 2) make_parallel(last_a, last_a - 1, last_b - 1, last_b);
+    return input;
+  }
+
+  /// On the first of two C2 spans the rulings have a common factor, which vanishes beside it: their
+  /// length varies, their lines are of lower degree.
+  RuledInput common_factor() {
+    const RationalPolynomial factor({Rational(long{between(1, 3)}), Rational(long{between(-3, 3)})});
+    if (!is_positive_on_unit_interval(factor)) return torsal_inside();
+    const auto quadratic = [&](long constant) {
+      return RationalPolynomial(6L) * (integers(2, 1) + RationalPolynomial(constant));
+    };
+    const std::array<RationalPolynomial, 3> a = {quadratic(0) + RationalPolynomial({Rational(0), Rational(24)}),
+                                                 quadratic(0), quadratic(0)},
+                                            g = {factor * quadratic(0), factor * quadratic(4),
+                                                 factor * quadratic(0)};
+    RuledInput input{"a common factor of the rulings", {}, {}};
+    const std::array<BSplineData<3>, 2> first = {bezier(a, 3), bezier(sum(a, g), 3)};
+    for (std::size_t side = 0; side < 2; ++side) {
+      // C2 at the joint of two equal spans: the last pole is free.
+      const auto& p = first[side].poles;
+      BSplineData<3> curve{3, {0, 1, 2}, {4, 3, 4}, p, {}};
+      Point one, two, three;
+      for (std::size_t c = 0; c < 3; ++c) {
+        one[c] = 2 * p[3][c] - p[2][c];
+        two[c] = p[1][c] - 4 * p[2][c] + 4 * p[3][c];
+        three[c] = 2 * two[c] - one[c] + noise(4);
+      }
+      curve.poles.insert(curve.poles.end(), {one, two, three});
+      input.curves[side] = curve;
+    }
     return input;
   }
 

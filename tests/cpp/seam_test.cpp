@@ -115,3 +115,16 @@ TEST_CASE("Lines of a cylinder do not twist, and twist has no units", "[seam]") 
   larger.radius *= RationalPolynomial(1000L);
   CHECK(twist_of(larger) == Approx(energy).epsilon(1e-3));
 }
+
+TEST_CASE("The parameter of a normal gives it back", "[seam]") {
+  const auto gamma = gamma_of(kHelical);
+  for (const double t : {0.0, 0.4, 1.0}) {
+    const Matrix2cd a = value_at(gamma.spinor, t);
+    for (int turn = 0; turn < 8; ++turn) {
+      const Eigen::Vector2d u(std::cos(0.3 + turn * M_PI / 8), std::sin(0.3 + turn * M_PI / 8));
+      const Eigen::Vector2d found = parameter_of(a, normal_of(a * u));
+      CHECK(std::abs(found.normalized().dot(u)) == Approx(1).epsilon(1e-9));
+      CHECK((a * found).norm() == Approx(1));
+    }
+  }
+}

@@ -518,9 +518,27 @@ std::vector<LinedSegment> region_segments(const EnvelopeChain& chain, long preci
   return {segment(lines.low, *lines.last_whole), segment(*lines.last_whole, lines.high)};
 }
 
+/// Developable strips have their rulings for lines already.
+std::vector<LinedSegment> strip_segments(const EnvelopeChain& chain, long precision) {
+  std::vector<LinedSegment> segments(chain.links.size());
+  for_each_index(segments.size(), [&](std::size_t i) {
+    const ChainLink& link = chain.links[i];
+    const Carrier<RealBall> carrier = link.envelope.enclosure(precision).carrier;
+    segments[i] = {false,
+                   link.begin,
+                   link.end,
+                   link.joint_before,
+                   midpoint(carrier),
+                   sections(carrier, IsotropicVector<RealBall>{}),
+                   {}};
+  });
+  return segments;
+}
+
 }  // namespace
 
 std::vector<LinedSegment> lined_segments(const EnvelopeChain& chain, Lines lines, long precision) {
+  if (std::holds_alternative<Strip>(chain.extent)) return strip_segments(chain, precision);
   const bool is_region = std::holds_alternative<BoundedRegion>(chain.extent);
   if (is_region && !is_ruled(chain)) return region_segments(chain, precision);
   if (chain.closed && room_for_lines(chain.links.back().envelope) == 0) {

@@ -187,7 +187,7 @@ std::vector<Rational> own_parameters(const LinedSegment& segment,
 }
 
 /// The segments of a chain, brought to one degree on every face, and their rows.
-struct Strip {
+struct Rows {
   const std::vector<LinedSegment>& segments;
   std::vector<Run> runs;
   std::vector<SegmentRows> rows;
@@ -195,8 +195,8 @@ struct Strip {
   long precision;
 };
 
-Strip strip_of(const std::vector<LinedSegment>& segments, int spans, long precision) {
-  Strip strip{segments, {}, {}, spans, precision};
+Rows rows_of_all(const std::vector<LinedSegment>& segments, int spans, long precision) {
+  Rows strip{segments, {}, {}, spans, precision};
   strip.runs = smooth_runs(strip.segments);
   std::vector<int> degrees;
   for (const Run& run : strip.runs) degrees.resize(run.last, run.degree);
@@ -208,7 +208,7 @@ Strip strip_of(const std::vector<LinedSegment>& segments, int spans, long precis
   return strip;
 }
 
-FaceNet face_net(const Strip& strip, const Run& run, const CircleColumns& circle, int arcs) {
+FaceNet face_net(const Rows& strip, const Run& run, const CircleColumns& circle, int arcs) {
   FaceNet face;
   face.frame = frame_of(strip.segments, run, strip.spans, circle);
   face.arcs = arcs;
@@ -442,6 +442,7 @@ class FaceChoices {
       choose({straight_band(factor, form_degree_)}, 0, 1);
     }
   }
+  void add(const Strip&, const EnvelopeChain&) { add(RulingBand{}, {}); }
   void add(const BoundedRegion&, const EnvelopeChain& chain) {
     std::optional<RegionLines> region;
     if (!is_ruled(chain)) region = region_lines(chain);
@@ -467,7 +468,7 @@ class FaceChoices {
 };
 
 /// The faces: run by run, and within a run column set by column set.
-std::vector<FaceNet> face_nets(const Strip& strip, const FaceChoice& choice) {
+std::vector<FaceNet> face_nets(const Rows& strip, const FaceChoice& choice) {
   struct Place {
     std::size_t run, columns;
   };
@@ -504,7 +505,7 @@ SectionNet::SectionNet(const EnvelopeChain& chain, Lines lines, long precision)
     : segments_(lined_segments(chain, lines, precision)), precision_(precision) {
   const FaceChoices choices(chain, lines);
   for (const FaceChoice& choice : choices.all()) {
-    const Strip strip = strip_of(segments_, choice.spans, precision);
+    const Rows strip = rows_of_all(segments_, choice.spans, precision);
     std::vector<FaceNet> faces = face_nets(strip, choice);
     if (std::any_of(faces.begin(), faces.end(), has_bad_weight)) continue;
     faces_ = with_shared_rows(std::move(faces), choice.columns.size(), chain.closed, segments_);

@@ -8,7 +8,13 @@
 namespace pn {
 namespace {
 
+/// The normal of a developable strip needs no factorization: it comes with the strip.
+bool brings_its_normal(const Carrier<RealBall>& carrier) {
+  return std::holds_alternative<DevelopableForms<RealBall>>(carrier);
+}
+
 SpinorMatrix<ComplexBall> factorize(const LocalForms& local, const RootChoice& choice) {
+  if (brings_its_normal(local.carrier)) return {};
   SpinorMatrix<ComplexBall> spinor =
       spinor_factorization(hermitian_matrix(local.circles), half_roots(local.roots, choice));
   const auto* rulings = std::get_if<RulingForms<RealBall>>(&local.carrier);
@@ -44,11 +50,12 @@ void Envelope::require_degree(int degree) const {
 void Envelope::choose_roots(long precision) {
   LocalForms local = forms_(precision);
   substituted_ = local.is_substituted;
-  // No choice of roots does better than this, and the search for one takes time.
-  const int least = (local.circles.level.degree() + 1) / 2;
   degree_around_ = section_degree_around(local.carrier);
+  // No choice of roots does better than this, and the search for one takes time.
+  const int least = brings_its_normal(local.carrier) ? 0 : (local.circles.level.degree() + 1) / 2;
   require_degree(section_degree(local.carrier, least));
-  const RootChoice choice = best_root_choice(local.circles, local.roots);
+  const RootChoice choice =
+      local.roots.pairs.empty() ? RootChoice{} : best_root_choice(local.circles, local.roots);
   chosen_roots_.clear();
   for (const ComplexBall& root : half_roots(local.roots, choice).complex) {
     chosen_roots_.push_back(root.midpoint());

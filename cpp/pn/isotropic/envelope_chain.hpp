@@ -53,6 +53,9 @@ struct WholeCircle {};
 /// The part 0 <= v <= 1 of rulings f = a + v g, whose links carry RulingForms.
 struct RulingBand {};
 
+/// The whole of developable strips, u = (1 - v : v).
+struct Strip {};
+
 /// A point of the boundary of a region: the local parameter of the link and the unit normal there.
 struct ContactPoint {
   double t;
@@ -72,7 +75,7 @@ struct BoundedRegion {
   bool has_first_pole, has_last_pole;
 };
 
-using Extent = std::variant<WholeCircle, RulingBand, BoundedRegion>;
+using Extent = std::variant<WholeCircle, RulingBand, Strip, BoundedRegion>;
 
 struct EnvelopeChain {
   std::vector<ChainLink> links;

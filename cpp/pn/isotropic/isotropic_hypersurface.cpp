@@ -56,6 +56,10 @@ struct CarrierMap {
     }
     return result;
   }
+  Carrier<Number> operator()(const DevelopableForms<RealBall>& f) const {
+    return DevelopableForms<Number>{
+        {curve(f.directrices[0]), curve(f.directrices[1])}, each(f.normal, form), form(f.length)};
+  }
 };
 
 template <class FormOf, class RootOf, class NumberOf>
@@ -77,6 +81,16 @@ struct SectionDegree {
   int operator()(const QuadricForms<RealBall>& f) const {
     return f.denominator.degree() + 4 * spinor_degree;
   }
+  int operator()(const DevelopableForms<RealBall>& f) const {
+    return f.directrices[0].denominator.degree() + f.length.degree();
+  }
+};
+
+struct SectionDegreeAround {
+  int operator()(const SphereCurveForms<RealBall>&) const { return 2; }
+  int operator()(const RulingForms<RealBall>&) const { return 4; }
+  int operator()(const QuadricForms<RealBall>&) const { return 4; }
+  int operator()(const DevelopableForms<RealBall>&) const { return 1; }
 };
 
 }  // namespace
@@ -86,7 +100,7 @@ int section_degree(const Carrier<RealBall>& carrier, int spinor_degree) {
 }
 
 int section_degree_around(const Carrier<RealBall>& carrier) {
-  return std::holds_alternative<SphereCurveForms<RealBall>>(carrier) ? 2 : 4;
+  return std::visit(SectionDegreeAround{}, carrier);
 }
 
 CircleForms<RealBall> on_interval(const CircleForms<RealBall>& circles, const RealBall& origin,
@@ -108,6 +122,7 @@ struct KeepScale {
     return result;
   }
   void operator()(SphereCurveForms<RealBall>&) const {}
+  void operator()(DevelopableForms<RealBall>&) const {}
   void operator()(RulingForms<RealBall>& f) const {
     f.scale = f.scale * factor(f.common_roots.size() + f.torsal_roots.size());
   }

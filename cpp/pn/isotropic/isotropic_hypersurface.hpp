@@ -100,7 +100,8 @@ struct CircleForms {
 };
 
 template <class T>
-using Carrier = std::variant<SphereCurveForms<T>, RulingForms<T>, QuadricForms<T>>;
+using Carrier =
+    std::variant<SphereCurveForms<T>, RulingForms<T>, QuadricForms<T>, DevelopableForms<T>>;
 
 template <class T>
 struct IsotropicHypersurface {

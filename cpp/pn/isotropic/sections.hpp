@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Sections: the surfaces of Gamma at all distances, for the three kinds of f that carry w.
+// Sections: the surfaces of Gamma at all distances, for the kinds of f that carry w.
 //
 // Every section is x_d = (point + d direction) / weight, and its normal direction / weight.
 //
@@ -22,6 +22,9 @@
 // QUADRIC with the support function S / w4, S a linear combination of w over a common denominator:
 // the point of contact of the plane N.x = S with the dual quadric of matrix K is K (N, S), and
 // x_d = contact + d n. (M. Peternell, dissertation TU Wien 1997, 4.5 and 4.7.)
+//
+// DEVELOPABLE strip between two directrices: w depends on t only and comes along,
+// x_d = (1 - v) c0 + v c1 + d normal / length.
 #pragma once
 
 #include <array>
@@ -79,6 +82,14 @@ struct QuadricForms {
   std::vector<T> common_roots;     ///< these roots
   Form<T> denominator;
   std::array<std::array<T, 4>, 4> dual;  ///< K: (N, S) to the homogeneous point of contact
+};
+
+/// A developable strip, linear in u = (1 - v : v).
+template <class T>
+struct DevelopableForms {
+  std::array<SphereCurveForms<T>, 2> directrices;
+  std::array<Form<T>, 3> normal;  ///< of the same formal degree as length
+  Form<T> length;                 ///< that of the normal
 };
 
 template <class T>
@@ -158,6 +169,19 @@ HomogeneousSections<T> sections(const QuadricForms<T>& f, const IsotropicVector<
   for (std::size_t i = 0; i < 3; ++i) {
     result.point[i] = contact[i] * w[3];
     result.direction[i] = contact[3] * w[i];
+  }
+  return result;
+}
+
+template <class T>
+HomogeneousSections<T> sections(const DevelopableForms<T>& f, const IsotropicVector<T>&) {
+  HomogeneousSections<T> result;
+  for (const SphereCurveForms<T>& c : f.directrices) {
+    result.weight.coefficient.push_back(c.denominator * f.length);
+    for (std::size_t i = 0; i < 3; ++i) {
+      result.point[i].coefficient.push_back(c.centre[i] * f.length);
+      result.direction[i].coefficient.push_back(c.denominator * f.normal[i]);
+    }
   }
   return result;
 }

@@ -9,6 +9,7 @@
 #include "pn/isotropic/quadric_pencil.hpp"
 #include "pn/shapes/canal_surface.hpp"
 #include "pn/shapes/quadric_patches.hpp"
+#include "pn/shapes/ruled_surface.hpp"
 #include "pn/shapes/sphere_spans.hpp"
 
 namespace pn {
@@ -262,7 +263,8 @@ RationalPolynomial linear(const Rational& start, const Rational& end) {
   return RationalPolynomial({start, end - start});
 }
 
-/// Rulings between directrices, which no quadric has torsal: the place of the span is of no account.
+/// Rulings between directrices, which no quadric has torsal: the place of the span is of no
+/// account.
 Envelope rulings_between(const SphereCurve& low, const SphereCurve& high) {
   return along_rulings(with_least_denominator(joined(low, high).rulings), {low, high},
                        {Rational(1), false, false});
@@ -521,8 +523,29 @@ EnvelopeChain cone_of_revolution(const Rational& a, const Rational& c, const Int
   return chain;
 }
 
-void require_half_axes(const std::array<double, 3>& half_axes) {
+/// Between the parabolas at both ends of y; from the far one to the near one the normal is below.
+EnvelopeChain parabolic_cylinder(const HalfAxes& half, const QuadricBounds& bounds) {
+  require_bounded(bounds, false);
+  const Interval &x = bounds.box[0], &z = bounds.box[2];
+  if (bounds.angle || std::isfinite(z.low) || std::isfinite(z.high)) {
+    throw GeometryError(ErrorCode::kRegionUnsupported,
+                        "Of a parabolic cylinder bounds of x and y are supported.");
+  }
+  const RationalPolynomial across = linear(Rational::exactly(x.low), Rational::exactly(x.high));
+  const auto parabola = [&](double y) -> SphereCurve {
+    return {{across, RationalPolynomial(Rational::exactly(y)),
+             RationalPolynomial(half[2] / (half[0] * half[0])) * across * across},
+            RationalPolynomial(0L),
+            RationalPolynomial(1L)};
+  };
+  return ruled_surface(parabola(bounds.box[1].high), parabola(bounds.box[1].low));
+}
+
+void require_half_axes(QuadricKind kind, const std::array<double, 3>& half_axes) {
   for (std::size_t i = 0; i < 3; ++i) {
+    const bool is_unused = (kind == QuadricKind::kEllipticCylinder && i == 2) ||
+                           (kind == QuadricKind::kParabolicCylinder && i == 1);
+    if (is_unused) continue;
     const std::string name(1, "abc"[i]);
     if (!std::isfinite(half_axes[i])) {
       throw GeometryError(ErrorCode::kNotFinite, "The half-axis " + name + " is not a number.");
@@ -539,7 +562,7 @@ void require_half_axes(const std::array<double, 3>& half_axes) {
 
 EnvelopeChain quadric(QuadricKind kind, const std::array<double, 3>& half_axes,
                       const QuadricBounds& bounds) {
-  require_half_axes(half_axes);
+  require_half_axes(kind, half_axes);
   require_bounds(bounds);
   const Vector3d a(half_axes[0], half_axes[1], half_axes[2]);
   const std::array<Rational, 3> half = {Rational::exactly(a.x()), Rational::exactly(a.y()),
@@ -574,6 +597,8 @@ EnvelopeChain quadric(QuadricKind kind, const std::array<double, 3>& half_axes,
       require_heights_only(bounds);
       require_revolution(half_axes, "cone");
       return cone_of_revolution(half[0], half[2], bounds.box[2]);
+    case QuadricKind::kParabolicCylinder:
+      return parabolic_cylinder(half, bounds);
   }
   throw std::logic_error("a kind of quadric without a construction");
 }

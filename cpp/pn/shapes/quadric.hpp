@@ -14,6 +14,7 @@
 //     hyperbolic paraboloid  z = c (x^2/a^2 - y^2/b^2)          d > 0 upwards
 //     elliptic cylinder      x^2/a^2 + y^2/b^2 = 1              d > 0 away from the axis
 //     elliptic cone          x^2/a^2 + y^2/b^2 = z^2/c^2        d > 0 away from the axis
+//     parabolic cylinder     z = c x^2/a^2                      d > 0 downwards
 #pragma once
 
 #include "pn/isotropic/envelope_chain.hpp"
@@ -29,6 +30,7 @@ enum class QuadricKind {
   kHyperbolicParaboloid,
   kEllipticCylinder,
   kEllipticCone,
+  kParabolicCylinder,
 };
 
 /// The part of the quadric inside the bounds; half-axes in millimetres. Throws GeometryError when a

@@ -7,6 +7,7 @@
 #include "pn/algebra/roots.hpp"
 #include "pn/geometry_error.hpp"
 #include "pn/isotropic/along_rulings.hpp"
+#include "pn/isotropic/developable.hpp"
 #include "pn/shapes/quadric_patches.hpp"
 #include "pn/shapes/sphere_spans.hpp"
 
@@ -101,15 +102,7 @@ void require_cones(const Span& span) {
   }
 }
 
-void require_skew(const Span& span) {
-  const RationalPolynomial turn = torsion(span.joined.rulings);
-  if (turn.is_zero()) {
-    throw GeometryError(
-        ErrorCode::kDevelopable,
-        "The surface is developable at " + interval(span) +
-            ": its tangent planes are the same all along each ruling, and its offset is not "
-            "rational in general. Make cylinders and cones of revolution as quadrics.");
-  }
+void require_simple_torsal_rulings(const Span& span) {
   for (const RealRoot& torsal : roots_in_unit_interval(torsal_polynomial(span.joined.rulings))) {
     if (torsal.multiplicity == 1) continue;
     throw GeometryError(
@@ -119,16 +112,27 @@ void require_skew(const Span& span) {
   }
 }
 
+bool is_developable(const Span& span) { return torsion(span.joined.rulings).is_zero(); }
+
+GeometryError not_rational(const Span& span) {
+  return {ErrorCode::kDevelopable,
+          "The surface is developable at " + interval(span) +
+              ": its tangent planes are the same all along each ruling, and its offset is not "
+              "rational. Planes, cylinders and cones of revolution and parabolic cylinders are "
+              "exact."};
+}
+
 void require_rulings(const Span& span) {
   require_length(span);
   require_cones(span);
-  require_skew(span);
+  if (!is_developable(span)) require_simple_torsal_rulings(span);
 }
 
 /// Each torsal ruling raises the degree, so a span has one at most: doubles between them.
 std::vector<Rational> cuts_between_torsal_rulings(const std::vector<Span>& spans) {
   std::vector<Rational> cuts;
   for (const Span& span : spans) {
+    if (is_developable(span)) continue;
     const auto torsal = roots_in_unit_interval(torsal_polynomial(span.joined.rulings));
     for (std::size_t i = 0; i + 1 < torsal.size(); ++i) {
       const double middle = (torsal[i].value.midpoint() + torsal[i + 1].value.midpoint()) / 2;
@@ -139,6 +143,7 @@ std::vector<Rational> cuts_between_torsal_rulings(const std::vector<Span>& spans
 }
 
 bool has_torsal_ruling(const Span& span) {
+  if (is_developable(span)) return false;
   return !roots_in_unit_interval(torsal_polynomial(span.joined.rulings)).empty();
 }
 
@@ -199,15 +204,33 @@ Envelope envelope_of(const Span& span, const SpanPlace& place) {
   const std::array<SphereCurve, 2> directrices = {span.directrices[0].spheres,
                                                   span.directrices[1].spheres};
   try {
-    return along_rulings(with_least_denominator(span.joined.rulings), directrices, place);
+    if (!is_developable(span)) {
+      return along_rulings(with_least_denominator(span.joined.rulings), directrices, place);
+    }
+    const auto strip = is_line_family(span) ? developable_strip(directrices) : std::nullopt;
+    if (strip) return along_strip(*strip);
   } catch (const GeometryError& error) {
     throw GeometryError(error.code(), std::string(error.what()) + ", at " + interval(span) + ".");
   }
+  throw not_rational(span);
+}
+
+/// All spans are skew, or all are developable: then they are strips, which meet in their rulings.
+Extent extent_of(const std::vector<Span>& spans) {
+  const auto developable = std::find_if(spans.begin(), spans.end(), is_developable);
+  if (developable == spans.end()) return RulingBand{};
+  if (std::all_of(spans.begin(), spans.end(), is_developable)) return Strip{};
+  throw not_rational(*developable);
+}
+
+Joint joint_of(const Extent& extent, const Span& left, const Span& right) {
+  const Joint joint = joint_between(left, right);
+  return std::holds_alternative<Strip>(extent) ? Joint::kTangent : joint;
 }
 
 EnvelopeChain chain_of(const std::vector<Span>& spans) {
   EnvelopeChain chain;
-  chain.extent = RulingBand{};
+  chain.extent = extent_of(spans);
   chain.closed = is_closed(spans);
   std::vector<std::optional<Envelope>> envelopes(spans.size());
   for_each_index(spans.size(), [&](std::size_t i) {
@@ -217,13 +240,12 @@ EnvelopeChain chain_of(const std::vector<Span>& spans) {
   });
   for (std::size_t i = 0; i < spans.size(); ++i) {
     Joint joint = Joint::kNone;
-    if (i > 0) joint = joint_between(spans[i - 1], spans[i]);
-    if (i == 0 && chain.closed) joint = joint_between(spans.back(), spans.front());
+    if (i > 0) joint = joint_of(chain.extent, spans[i - 1], spans[i]);
+    if (i == 0 && chain.closed) joint = joint_of(chain.extent, spans.back(), spans.front());
     chain.links.push_back({std::move(*envelopes[i]), std::nullopt, spans[i].begin().to_double(),
                            spans[i].end().to_double(), joint});
     const auto& [first, second] = spans[i].directrices;
-    if (!is_line_family(spans[i])) continue;
-    chain.base.push_back(ruled_patch(first.spheres, second.spheres));
+    if (is_line_family(spans[i])) chain.base.push_back(ruled_patch(first.spheres, second.spheres));
   }
   return chain;
 }
@@ -238,6 +260,13 @@ std::vector<SphereSpan> moved(std::vector<SphereSpan> spans, const std::vector<R
 }
 
 }  // namespace
+
+EnvelopeChain ruled_surface(const SphereCurve& first, const SphereCurve& second) {
+  const Rational zero(0), one(1);
+  const std::vector<Span> spans = spans_between({{first, zero, one}}, {{second, zero, one}});
+  require_rulings(spans.front());
+  return chain_of(spans);
+}
 
 EnvelopeChain ruled_surface(const Curve& first, const Curve& second) {
   const Law point = Law::constant(0);

@@ -7,6 +7,9 @@
 // spheres of equal parameter, a line being the cone of two points. (M. Peternell, dissertation TU
 // Wien 1997, Theorem 4.5, Corollary 4.2; degrees: along_rulings.hpp.)
 //
+// Of developable surfaces those are exact whose normal has a rational length (developable.hpp):
+// planes, cylinders and cones of revolution, parabolic cylinders. Others are refused.
+//
 // Orientation: with c(t, v) = (1 - v) c0(t) + v c1(t) the normal is on the side of c_t x c_v; d > 0
 // lies there. The result covers 0 <= v <= 1 and no more.
 #pragma once
@@ -19,6 +22,9 @@ namespace pn {
 /// The surface whose rulings join points of equal parameter; the domain of the second curve is
 /// mapped to that of the first. Throws GeometryError.
 EnvelopeChain ruled_surface(const Curve& first, const Curve& second);
+
+/// The same between two curves over one span on [0, 1], whose spheres are points.
+EnvelopeChain ruled_surface(const SphereCurve& first, const SphereCurve& second);
 
 /// The envelope of the cones of revolution that touch the spheres of equal parameter: the sheet
 /// with the normal on the side of c_t x c_v. Where the cones have a curve of vertices that they

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/bezier/trimming.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "pn/bezier/evaluation.hpp"
+#include "pn/shapes/canal_surface.hpp"
+#include "pn/shapes/ruled_surface.hpp"
+
+using namespace pn;
+
+namespace {
+
+using Point = std::array<double, 3>;
+
+/// C1 quadratics over the same knots: three spans, three faces.
+const std::vector<double> kKnots = {0, 1, 2, 4};
+const BSplineData<3> kFirst{2,
+                            kKnots,
+                            {3, 1, 1, 3},
+                            {{0, 0, 0}, {2, 0, 0}, {4, 1, 0}, {7, 1, 1}, {9, 0, 1}},
+                            {}};
+const BSplineData<3> kSecond{2,
+                             kKnots,
+                             {3, 1, 1, 3},
+                             {{0, 4, 1}, {2, 5, 2}, {5, 4, 4}, {7, 4, 5}, {9, 5, 8}},
+                             {}};
+
+Point value(const Curve& curve, double t) {
+  const auto& f = curve.function();
+  std::size_t i = 0;
+  while (i + 2 < f.breaks.size() && f.breaks[i + 1] < Rational::exactly(t)) ++i;
+  const Rational local = (Rational::exactly(t) - f.breaks[i]) / (f.breaks[i + 1] - f.breaks[i]);
+  Point result;
+  for (std::size_t c = 0; c < 3; ++c) {
+    result[c] = (f.spans[i].numerator[c](local) / f.spans[i].denominator(local)).to_double();
+  }
+  return result;
+}
+
+double distance(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+struct Band {
+  Curve first = Curve::bspline(kFirst), second = Curve::bspline(kSecond);
+  EnvelopeChain chain = ruled_surface(first, second);
+  SectionNet net{chain, Lines::kEven, 128};
+  std::vector<FaceTrims> edges = trims(chain, net);
+  std::vector<RoundedFace> faces = net.section(0);
+};
+
+}  // namespace
+
+TEST_CASE("Every face of a band has one loop, closed bit for bit", "[trimming]") {
+  const Band band;
+  REQUIRE(band.edges.size() == band.net.faces().size());
+  REQUIRE(band.edges.size() > 1);
+  for (const FaceTrims& trims : band.edges) {
+    REQUIRE(trims.size() == 1);
+    const std::vector<TrimLoop> loops = curves_of(trims);
+    REQUIRE(loops.size() == 1);
+    for (std::size_t i = 0; i < loops[0].size(); ++i) {
+      CHECK(loops[0][i].poles.back() == loops[0][(i + 1) % loops[0].size()].poles.front());
+    }
+    double area = 0;  // counterclockwise: positive
+    for (const ParameterCurve& curve : loops[0]) {
+      for (int i = 0; i < 50; ++i) {
+        const auto a = evaluate(curve, i / 50.0), b = evaluate(curve, (i + 1) / 50.0);
+        area += (a[0] * b[1] - b[0] * a[1]) / 2;
+      }
+    }
+    CHECK(area > 0);
+  }
+}
+
+TEST_CASE("Neighbours share their corners bit for bit", "[trimming]") {
+  const Band band;
+  for (std::size_t i = 0; i + 1 < band.edges.size(); ++i) {
+    const auto &left = band.edges[i][0], &right = band.edges[i + 1][0];
+    const double joint = band.faces[i].surface.u_knots.back();
+    const auto side_at = [&](const TrimEdgeLoop& loop) {
+      for (const TrimEdge& edge : loop) {
+        const auto &a = edge.curve.poles.front(), &b = edge.curve.poles.back();
+        if (!edge.path && a[0] == joint && b[0] == joint) {
+          return std::pair{std::min(a[1], b[1]), std::max(a[1], b[1])};
+        }
+      }
+      return std::pair<double, double>{NAN, NAN};
+    };
+    CHECK(side_at(left) == side_at(right));
+  }
+}
+
+TEST_CASE("The edges lie on the directrices", "[trimming]") {
+  const Band band;
+  for (std::size_t i = 0; i < band.edges.size(); ++i) {
+    const BSplineSurface& surface = band.faces[i].surface;
+    for (const TrimEdge& edge : band.edges[i][0]) {
+      if (!edge.path) continue;
+      const bool is_low = edge.curve.poles.front()[0] < edge.curve.poles.back()[0];
+      for (const double part : {0.0, 0.17, 0.5, 0.83, 1.0}) {
+        const auto [u, v] = evaluate(edge.curve, part);
+        const Point expected = value(is_low ? band.first : band.second, u);
+        CHECK(distance(evaluate(surface, u, v), expected) < 1e-10);
+        CHECK(v > 0);
+        CHECK(v < 1);
+      }
+    }
+    CHECK(trim_deviation(surface, band.edges[i]) < 1e-10);
+  }
+}
+
+TEST_CASE("The deviation is how far edges leave their paths", "[trimming]") {
+  const Band band;
+  FaceTrims moved = band.edges[0];
+  constexpr double kShift = 1e-6;
+  for (TrimEdge& edge : moved[0]) {
+    for (auto& pole : edge.curve.poles) pole[1] += kShift;
+  }
+  // The band is about four wide and one high in its parameter.
+  const double deviation = trim_deviation(band.faces[0].surface, moved);
+  CHECK(deviation > kShift);
+  CHECK(deviation < 100 * kShift);
+}
+
+TEST_CASE("Whole faces have no trims", "[trimming]") {
+  const EnvelopeChain pipe =
+      canal_surface(Curve::bezier({{0, 0, 0}, {1, 1, 0}, {2, 0, 1}}), Law::constant(0.25));
+  const SectionNet net(pipe, Lines::kEven, 128);
+  for (const FaceTrims& face : trims(pipe, net)) CHECK(face.empty());
+  CHECK(trim_deviation(net.section(0)[0].surface, {}) == 0);
+}
