@@ -34,18 +34,15 @@ struct Segment {
   int lines_degree;  ///< the largest degree that F may have
   int halvings = 0;
 
-  /// The double at which the segment would be halved; not inside when its ends are neighbours.
-  double cut() const { return begin + (end - begin) / 2; }
   double left() const { return origin.to_double(); }
   double middle() const { return (origin + length / Rational(2)).to_double(); }
   double right() const { return (origin + length).to_double(); }
   bool is_whole_link() const { return origin.is_zero() && length == Rational(1); }
 };
 
-/// The two halves; they meet at a double, so that the knots say exactly where.
-std::array<Segment, 2> halves(const Segment& segment, Joint joint) {
+/// The two parts at a cut; it is a double, so that the knots say exactly where they meet.
+std::array<Segment, 2> halves(const Segment& segment, double middle, Joint joint) {
   const Rational begin = Rational::exactly(segment.begin), end = Rational::exactly(segment.end);
-  const double middle = segment.cut();
   const Rational part = (Rational::exactly(middle) - begin) / (end - begin);
   Segment left = segment, right = segment;
   left.halvings = right.halvings = segment.halvings + 1;
@@ -222,6 +219,7 @@ WeightRange weight_range(const FormInU<double>& form, const std::vector<CircleCo
       for (std::size_t i = 0; i < rows[0].size(); ++i) {
         double weight = 0;
         for (std::size_t q = 0; q < rows.size(); ++q) weight += factors[q] * rows[q][i];
+        if (!std::isfinite(weight)) return {-INFINITY, INFINITY};
         range.least = std::min(range.least, weight);
         range.largest = std::max(range.largest, weight);
       }
@@ -394,8 +392,23 @@ class Planner {
     return changed;
   }
 
+  /// Where a segment would be halved, which is not inside when its ends are neighbours: in the
+  /// middle, or beside it where that is too near to a torsal ruling, on which lines cannot be
+  /// matched.
+  double cut_of(const Segment& segment) const {
+    const double length = segment.end - segment.begin, middle = segment.begin + length / 2;
+    const auto* rulings = std::get_if<RulingForms<double>>(&estimates_[segment.link].carrier);
+    if (!rulings) return middle;
+    const double in_link = segment.middle(), near = segment.length.to_double() / 32;
+    const bool is_torsal =
+        std::any_of(rulings->torsal_roots.begin(), rulings->torsal_roots.end(),
+                    [&](double root) { return std::abs(root - in_link) < near; });
+    return is_torsal ? segment.begin + length * 7 / 16 : middle;
+  }
+
   bool can_be_refined(const Segment& segment) const {
-    const bool has_cut = segment.begin < segment.cut() && segment.cut() < segment.end;
+    const double cut = cut_of(segment);
+    const bool has_cut = segment.begin < cut && cut < segment.end;
     return has_cut && segment.halvings < kMostHalvings && room(segment.link) > 0;
   }
 
@@ -438,8 +451,8 @@ class Planner {
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       const Segment& segment = segments_[i];
       if (bad_[i] && can_be_refined(segment)) {
-        const auto parts =
-            halves(segment, segment.lines_degree == 3 ? Joint::kSmooth : Joint::kTangent);
+        const auto parts = halves(segment, cut_of(segment),
+                                  segment.lines_degree == 3 ? Joint::kSmooth : Joint::kTangent);
         refined.insert(refined.end(), parts.begin(), parts.end());
         changed = true;
       } else {
@@ -456,8 +469,8 @@ class Planner {
       segment.lines_degree = 1;
       return {segment};
     }
-    const auto parts =
-        halves(segment, segment.lines_degree == 3 ? Joint::kSmooth : Joint::kTangent);
+    const auto parts = halves(segment, cut_of(segment),
+                              segment.lines_degree == 3 ? Joint::kSmooth : Joint::kTangent);
     return {parts.begin(), parts.end()};
   }
 

@@ -19,7 +19,7 @@ std::size_t index_of(Lines lines) { return lines == Lines::kEven ? 0 : 1; }
 /// The edges of the faces of a net; they hold for all its sections.
 struct NetTrims {
   std::shared_ptr<const SectionNet> net;
-  std::shared_ptr<const std::vector<FaceTrims>> trims;
+  std::shared_ptr<const std::vector<TrimmedFace>> faces;
 };
 
 }  // namespace
@@ -45,27 +45,30 @@ struct PNSurface::Shared {
   }
 
   /// The edges of the faces of this net.
-  std::shared_ptr<const std::vector<FaceTrims>> trims(
+  std::shared_ptr<const std::vector<TrimmedFace>> trimmed_faces(
       Lines lines, const std::shared_ptr<const SectionNet>& net) {
     const std::lock_guard<std::mutex> lock(mutex);
     NetTrims& known = edges[index_of(lines)];
     if (known.net != net) {
-      known = {net, std::make_shared<const std::vector<FaceTrims>>(pn::trims(chain, *net))};
+      known = {net,
+               std::make_shared<const std::vector<TrimmedFace>>(pn::trimmed_faces(chain, *net))};
     }
-    return known.trims;
+    return known.faces;
   }
 };
 
 struct PNSurface::Section {
-  std::vector<RoundedFace> faces;
+  std::vector<RoundedFace> faces;        ///< of the net, whole
+  std::vector<BSplineSurface> exported;  ///< trimmed
   double trim_deviation;
   std::shared_ptr<const SectionNet> net;
 
-  /// The last face that begins at or before parameter t of the spine.
-  std::size_t face_at(double t) const {
+  /// The last face that begins at or before parameters t along and v around.
+  std::size_t face_at(double t, double v) const {
     std::size_t found = 0;
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      const bool begun = faces[i].surface.u_knots.front() <= t || i == 0;
+      const BSplineSurface& surface = faces[i].surface;
+      const bool begun = i == 0 || (surface.u_knots.front() <= t && surface.v_knots.front() <= v);
       if (begun && !net->faces()[i].stands_still) found = i;
     }
     return found;
@@ -108,13 +111,12 @@ std::shared_ptr<const PNSurface::Section> PNSurface::section(Lines lines) const 
   if (const auto known = std::atomic_load(&slot)) return known;
   const auto rounded = at_sufficient_precision([&](long precision) {
     const auto net = shared_->net(lines, precision);
-    Section section{net->section(distance_), 0, net};
-    const auto trims = shared_->trims(lines, net);
-    for (std::size_t i = 0; i < trims->size(); ++i) {
-      BSplineSurface& surface = section.faces[i].surface;
-      section.trim_deviation =
-          std::max(section.trim_deviation, trim_deviation(surface, (*trims)[i]));
-      surface.trims = curves_of((*trims)[i]);
+    Section section{net->section(distance_), {}, 0, net};
+    for (const TrimmedFace& face : *shared_->trimmed_faces(lines, net)) {
+      BSplineSurface surface = section.faces[face.net_face].surface;
+      section.trim_deviation = std::max(section.trim_deviation, trim_deviation(surface, face));
+      surface.trims = curves_of(face);
+      section.exported.push_back(std::move(surface));
     }
     return std::make_shared<const Section>(std::move(section));
   });
@@ -122,11 +124,7 @@ std::shared_ptr<const PNSurface::Section> PNSurface::section(Lines lines) const 
   return rounded;
 }
 
-std::vector<BSplineSurface> PNSurface::faces(Lines lines) const {
-  std::vector<BSplineSurface> result;
-  for (const RoundedFace& face : section(lines)->faces) result.push_back(face.surface);
-  return result;
-}
+std::vector<BSplineSurface> PNSurface::faces(Lines lines) const { return section(lines)->exported; }
 
 Certificate PNSurface::certificate(Lines lines) const {
   const auto rounded = section(lines);
@@ -134,9 +132,11 @@ Certificate PNSurface::certificate(Lines lines) const {
                           0, shared_->chain.notes,      rounded->trim_deviation};
   for (const RoundedFace& face : rounded->faces) {
     certificate.deviation = std::max(certificate.deviation, face.deviation);
-    certificate.bidegree[0] = std::max(certificate.bidegree[0], face.surface.u_degree);
-    certificate.bidegree[1] = std::max(certificate.bidegree[1], face.surface.v_degree);
-    certificate.poles += face.surface.poles.size();
+  }
+  for (const BSplineSurface& face : rounded->exported) {
+    certificate.bidegree[0] = std::max(certificate.bidegree[0], face.u_degree);
+    certificate.bidegree[1] = std::max(certificate.bidegree[1], face.v_degree);
+    certificate.poles += face.poles.size();
   }
   return certificate;
 }
@@ -152,7 +152,7 @@ std::vector<SurfacePoint> PNSurface::evaluate(const std::vector<double>& t,
   std::vector<SurfacePoint> result;
   result.reserve(t.size());
   for (std::size_t i = 0; i < t.size(); ++i) {
-    const std::size_t face = rounded->face_at(t[i]);
+    const std::size_t face = rounded->face_at(t[i], v[i]);
     result.push_back({pn::evaluate(rounded->faces[face].surface, t[i], v[i]),
                       pn::evaluate(normals[face], t[i], v[i])});
   }

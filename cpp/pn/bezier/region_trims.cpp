@@ -152,6 +152,60 @@ Point beside_pole(Point p) {
   return p;
 }
 
+/// The corners of the control polygons of a loop, which follow it closely enough to tell inside
+/// from outside of other loops.
+std::vector<Point> polygon(const TrimEdgeLoop& loop) {
+  std::vector<Point> corners;
+  for (const TrimEdge& edge : loop) {
+    corners.insert(corners.end(), edge.curve.poles.begin(), edge.curve.poles.end() - 1);
+  }
+  return corners;
+}
+
+/// Twice the area inside, positive for a loop that runs counterclockwise.
+double signed_area(const std::vector<Point>& polygon) {
+  double area = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    area += a[0] * b[1] - a[1] * b[0];
+  }
+  return area;
+}
+
+bool is_inside(const Point& p, const std::vector<Point>& polygon) {
+  bool inside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const bool crosses = (a[1] > p[1]) != (b[1] > p[1]);
+    if (crosses && p[0] < a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) inside = !inside;
+  }
+  return inside;
+}
+
+/// Loops by faces: every outer one with the holes inside it.
+std::vector<std::vector<TrimEdgeLoop>> grouped(std::vector<TrimEdgeLoop> loops) {
+  std::vector<std::vector<TrimEdgeLoop>> faces;
+  std::vector<std::vector<Point>> outer;
+  std::vector<TrimEdgeLoop> holes;
+  for (TrimEdgeLoop& loop : loops) {
+    std::vector<Point> corners = polygon(loop);
+    if (signed_area(corners) < 0) {
+      holes.push_back(std::move(loop));
+      continue;
+    }
+    outer.push_back(std::move(corners));
+    faces.push_back({std::move(loop)});
+  }
+  for (TrimEdgeLoop& hole : holes) {
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      if (!is_inside(hole.front().curve.poles.front(), outer[i])) continue;
+      faces[i].push_back(std::move(hole));
+      break;
+    }
+  }
+  return faces;
+}
+
 class RegionTrimmer {
  public:
   RegionTrimmer(const EnvelopeChain& chain, const SectionNet& net)
@@ -162,11 +216,16 @@ class RegionTrimmer {
     for (const auto& loop : region_.loops) add_loop(loop);
   }
 
-  std::vector<FaceTrims> trims() const {
-    std::vector<FaceTrims> result(net_.faces().size());
-    if (is_bounded_by_parallels(region_)) return result;
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      result[i] = joined(edges_of(rectangle_of(net_.faces()[i])));
+  std::vector<TrimmedFace> faces() const {
+    std::vector<TrimmedFace> result;
+    for (std::size_t i = 0; i < net_.faces().size(); ++i) {
+      if (is_bounded_by_parallels(region_)) {
+        result.push_back({i, {}});
+        continue;
+      }
+      for (auto& loops : grouped(joined(edges_of(rectangle_of(net_.faces()[i]))))) {
+        result.push_back({i, std::move(loops)});
+      }
     }
     return result;
   }
@@ -330,8 +389,8 @@ class RegionTrimmer {
   }
 
   /// The edges end to end.
-  static FaceTrims joined(std::vector<FaceEdge> edges) {
-    FaceTrims loops;
+  static std::vector<TrimEdgeLoop> joined(std::vector<FaceEdge> edges) {
+    std::vector<TrimEdgeLoop> loops;
     while (!edges.empty()) {
       TrimEdgeLoop loop = {edges.back().edge};
       const Point start = edges.back().start;
@@ -362,8 +421,8 @@ class RegionTrimmer {
 
 }  // namespace
 
-std::vector<FaceTrims> region_trims(const EnvelopeChain& chain, const SectionNet& net) {
-  return RegionTrimmer(chain, net).trims();
+std::vector<TrimmedFace> region_faces(const EnvelopeChain& chain, const SectionNet& net) {
+  return RegionTrimmer(chain, net).faces();
 }
 
 }  // namespace pn

@@ -14,7 +14,7 @@
 
 namespace pn {
 
-/// The loops of every face of a chain whose extent is a BoundedRegion; none for whole faces.
-std::vector<FaceTrims> region_trims(const EnvelopeChain& chain, const SectionNet& net);
+/// The faces of a chain whose extent is a BoundedRegion.
+std::vector<TrimmedFace> region_faces(const EnvelopeChain& chain, const SectionNet& net);
 
 }  // namespace pn

@@ -80,31 +80,32 @@ TrimEdgeLoop band_loop(const std::shared_ptr<const Directrix>& low,
 
 }  // namespace
 
-std::vector<FaceTrims> trims(const EnvelopeChain& chain, const SectionNet& net) {
-  if (std::holds_alternative<BoundedRegion>(chain.extent)) return region_trims(chain, net);
-  std::vector<FaceTrims> result(net.faces().size());
+std::vector<TrimmedFace> trimmed_faces(const EnvelopeChain& chain, const SectionNet& net) {
+  if (std::holds_alternative<BoundedRegion>(chain.extent)) return region_faces(chain, net);
+  std::vector<TrimmedFace> result(net.faces().size());
+  for (std::size_t i = 0; i < result.size(); ++i) result[i].net_face = i;
   if (!std::holds_alternative<RulingBand>(chain.extent)) return result;
   const auto low = std::make_shared<const Directrix>(chain, net.segments(), 0);
   const auto high = std::make_shared<const Directrix>(chain, net.segments(), 1);
   for_each_index(result.size(), [&](std::size_t i) {
     const FaceNet& face = net.faces()[i];
-    result[i] = {band_loop(low, high, face.first_segment, face.last_segment)};
+    result[i].loops = {band_loop(low, high, face.first_segment, face.last_segment)};
   });
   return result;
 }
 
-std::vector<TrimLoop> curves_of(const FaceTrims& trims) {
+std::vector<TrimLoop> curves_of(const TrimmedFace& face) {
   std::vector<TrimLoop> loops;
-  for (const TrimEdgeLoop& edges : trims) {
+  for (const TrimEdgeLoop& edges : face.loops) {
     loops.emplace_back();
     for (const TrimEdge& edge : edges) loops.back().push_back(edge.curve);
   }
   return loops;
 }
 
-double trim_deviation(const BSplineSurface& section, const FaceTrims& trims) {
+double trim_deviation(const BSplineSurface& section, const TrimmedFace& face) {
   double largest = 0;
-  for (const TrimEdgeLoop& loop : trims) {
+  for (const TrimEdgeLoop& loop : face.loops) {
     for (const TrimEdge& edge : loop) {
       if (!edge.path) continue;
       for (int i = 0; i <= kSamples; ++i) {

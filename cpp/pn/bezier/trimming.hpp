@@ -24,16 +24,20 @@ struct TrimEdge {
 
 using TrimEdgeLoop = std::vector<TrimEdge>;
 
-/// The loops of a face; none for a whole surface.
-using FaceTrims = std::vector<TrimEdgeLoop>;
+/// One face of a net, as exported: its loops, the outer one first; none when it is whole.
+struct TrimmedFace {
+  std::size_t net_face;
+  std::vector<TrimEdgeLoop> loops;
+};
 
-/// The trims of every face of the net of this chain.
-std::vector<FaceTrims> trims(const EnvelopeChain& chain, const SectionNet& net);
+/// The faces of a chain on the net of it. A face of the net without any part of the region is left
+/// out, one with several parts comes once for each.
+std::vector<TrimmedFace> trimmed_faces(const EnvelopeChain& chain, const SectionNet& net);
 
 /// The curves of a face's loops.
-std::vector<TrimLoop> curves_of(const FaceTrims& trims);
+std::vector<TrimLoop> curves_of(const TrimmedFace& face);
 
 /// The largest distance [mm] of a point of an edge from the true boundary of a section: measured.
-double trim_deviation(const BSplineSurface& section, const FaceTrims& trims);
+double trim_deviation(const BSplineSurface& section, const TrimmedFace& face);
 
 }  // namespace pn

@@ -250,9 +250,11 @@ JoinedRulings joined(const SphereCurve& first, const SphereCurve& second) {
     direction.axis[i] = second.centre[i] * p - first.centre[i] * q;
   }
   direction.level = second.radius * p - first.radius * q;
-  const RationalPolynomial common =
+  RationalPolynomial common =
       common_divisor(direction.level, {direction.axis.begin(), direction.axis.end()});
   if (common.is_zero()) return {{first, {}}, common};
+  // Divided by a positive content the direction still leads from the first sphere to the second.
+  if (common(Rational(1) / Rational(2)).sign() < 0) common = -common;
   if (common.degree() > 0) {
     for (RationalPolynomial& m : direction.axis) m = exact_quotient(m, common);
     direction.level = exact_quotient(direction.level, common);

@@ -18,6 +18,7 @@ namespace {
 struct Span {
   std::array<SphereSpan, 2> directrices;
   JoinedRulings joined;
+  Rulings rulings;  ///< with least denominator, at the scale at which they continue those before
 
   const Rational& begin() const { return directrices[0].begin; }
   const Rational& end() const { return directrices[0].end; }
@@ -171,11 +172,19 @@ bool runs_on(const SphereSpan& left, const SphereSpan& right) {
          (after - before).norm() <= kRoundingOfSpeeds * (after.norm() + before.norm());
 }
 
-/// Sections divided by a torsal root keep their value but not their slope at a joint.
+/// The directions of the rulings with their denominator, as one curve.
+SphereSpan directions(const Span& span) {
+  const CircleFamily& g = span.rulings.direction;
+  return {{g.axis, g.level, span.rulings.point.denominator}, span.begin(), span.end()};
+}
+
+/// The sections are as smooth as the curves when the coprime directions of the rulings are so too,
+/// and no torsal root is divided out of them.
 Joint joint_between(const Span& left, const Span& right) {
   const auto& [a, b] = left.directrices;
   const auto& [c, d] = right.directrices;
-  if (meets(a, c, 2) && meets(b, d, 2) && !has_torsal_ruling(left) && !has_torsal_ruling(right)) {
+  if (meets(a, c, 2) && meets(b, d, 2) && meets(directions(left), directions(right), 2) &&
+      !has_torsal_ruling(left) && !has_torsal_ruling(right)) {
     return Joint::kSmooth;
   }
   if (runs_on(a, c) && runs_on(b, d)) return Joint::kTangent;
@@ -195,7 +204,8 @@ std::vector<Span> spans_between(const std::vector<SphereSpan>& first,
                                 const std::vector<SphereSpan>& second) {
   std::vector<Span> spans(first.size());
   for_each_index(spans.size(), [&](std::size_t i) {
-    spans[i] = {{first[i], second[i]}, joined(first[i].spheres, second[i].spheres)};
+    spans[i] = {{first[i], second[i]}, joined(first[i].spheres, second[i].spheres), {}};
+    spans[i].rulings = with_least_denominator(spans[i].joined.rulings);
   });
   return spans;
 }
@@ -205,7 +215,7 @@ Envelope envelope_of(const Span& span, const SpanPlace& place) {
                                                   span.directrices[1].spheres};
   try {
     if (!is_developable(span)) {
-      return along_rulings(with_least_denominator(span.joined.rulings), directrices, place);
+      return along_rulings(span.rulings, directrices, place);
     }
     const auto strip = is_line_family(span) ? developable_strip(directrices) : std::nullopt;
     if (strip) return along_strip(*strip);
@@ -213,6 +223,57 @@ Envelope envelope_of(const Span& span, const SpanPlace& place) {
     throw GeometryError(error.code(), std::string(error.what()) + ", at " + interval(span) + ".");
   }
   throw not_rational(span);
+}
+
+/// A polynomial at an end of a span over one at the start of the next.
+Rational ratio(const RationalPolynomial& before, const RationalPolynomial& after) {
+  return before(Rational(1)) / after(Rational(0));
+}
+
+/// The factor by which the directions of `after` continue those of `before` at their joint, read
+/// off the largest coordinate.
+Rational ratio(const CircleFamily& before, const CircleFamily& after) {
+  const std::array<const RationalPolynomial*, 4> left = {&before.axis[0], &before.axis[1],
+                                                         &before.axis[2], &before.level};
+  const std::array<const RationalPolynomial*, 4> right = {&after.axis[0], &after.axis[1],
+                                                          &after.axis[2], &after.level};
+  std::size_t largest = 0;
+  const auto size = [&](std::size_t i) { return std::abs((*right[i])(Rational(0)).to_double()); };
+  for (std::size_t i = 1; i < 4; ++i) {
+    if (size(i) > size(largest)) largest = i;
+  }
+  return ratio(*left[largest], *right[largest]);
+}
+
+/// The same lines with direction and denominator at other scales.
+Rulings scaled(Rulings rulings, const Rational& direction, const Rational& denominator) {
+  const RationalPolynomial g(direction), q(denominator);
+  for (std::size_t i = 0; i < 3; ++i) {
+    rulings.direction.axis[i] *= g;
+    rulings.point.centre[i] *= q;
+  }
+  rulings.direction.level *= g;
+  rulings.point.radius *= q;
+  rulings.point.denominator *= q;
+  return rulings;
+}
+
+/// Spans that meet with the same weights: content and denominators that were divided out differ.
+std::vector<Span> continued(std::vector<Span> spans) {
+  for (std::size_t i = 1; i < spans.size(); ++i) {
+    const Rulings &before = spans[i - 1].rulings, &own = spans[i].rulings;
+    spans[i].rulings = scaled(own, ratio(before.direction, own.direction),
+                              ratio(before.point.denominator, own.point.denominator));
+  }
+  return spans;
+}
+
+/// The last rulings come back to the first at the same scale.
+bool closes_at_scale(const std::vector<Span>& spans) {
+  const Rational one(1);
+  const Rulings &last = spans.back().rulings, &first = spans.front().rulings;
+  return ratio(last.direction, first.direction) == one &&
+         ratio(last.point.denominator, first.point.denominator) == one;
 }
 
 /// All spans are skew, or all are developable: then they are strips, which meet in their rulings.
@@ -228,10 +289,11 @@ Joint joint_of(const Extent& extent, const Span& left, const Span& right) {
   return std::holds_alternative<Strip>(extent) ? Joint::kTangent : joint;
 }
 
-EnvelopeChain chain_of(const std::vector<Span>& spans) {
+EnvelopeChain chain_of(std::vector<Span> unscaled) {
+  const std::vector<Span> spans = continued(std::move(unscaled));
   EnvelopeChain chain;
   chain.extent = extent_of(spans);
-  chain.closed = is_closed(spans);
+  chain.closed = is_closed(spans) && closes_at_scale(spans);
   std::vector<std::optional<Envelope>> envelopes(spans.size());
   for_each_index(spans.size(), [&](std::size_t i) {
     const SpanPlace place{spans[i].end() - spans[i].begin(), i > 0 || chain.closed,
