@@ -154,7 +154,7 @@ TEST_CASE("A common factor of the rulings is content", "[along_rulings]") {
   const JoinedRulings found = joined(first, second);
   CHECK(found.content == factor);
   CHECK(found.rulings.direction.degree() == 2);
-  CHECK(along({first, second}).degree() == along_rulings(found.rulings, {first, second}, 1L).degree());
+  CHECK(along({first, second}).degree() == along_rulings(found.rulings, {first, second}, kAlone).degree());
   check_on_rulings({first, second}, along({first, second}));
 }
 
@@ -230,26 +230,67 @@ TEST_CASE("The torsion is the determinant of a', g and g'", "[along_rulings]") {
   CHECK(torsion(joined(planar, in_plane).rulings).is_zero());
 }
 
-TEST_CASE("Torsal roots inside and at the ends, those at the ends exact", "[along_rulings]") {
+TEST_CASE("Torsal roots inside, at joints exactly, and a little beyond free ends",
+          "[along_rulings]") {
   const SphereCurve line{{polynomial({0, 5}), 0L, 0L}, 0L, 1L};
-  const auto with_slope = [&](const RationalPolynomial& slope) {
+  const auto roots = [&](const RationalPolynomial& slope, const SpanPlace& place) {
     RationalPolynomial z(1L);
     for (int i = 0; i <= slope.degree(); ++i) {
       std::vector<Rational> power(static_cast<std::size_t>(i) + 2);
       power.back() = slope.coefficient(i) / Rational(long{i + 1});
       z += RationalPolynomial(power);
     }
-    return joined(line, {{polynomial({1, 7}), 4L, z}, 0L, 1L}).rulings;
+    const Directrices curves = {line, {{polynomial({1, 7}), 4L, z}, 0L, 1L}};
+    const auto rulings = joined(curves[0], curves[1]).rulings;
+    return std::get<RulingForms<RealBall>>(local_forms(rulings, curves, place, 128).carrier)
+        .torsal_roots;
   };
-  const auto found = torsal_roots(with_slope(polynomial({0, 1, -3, 2})), 128);  // 0, 1/2, 1
+  const auto found = roots(polynomial({0, 1, -3, 2}), kBetween);  // 0, 1/2, 1
   REQUIRE(found.size() == 3);
   CHECK(found[0].is_zero());
   CHECK((found[1] - RealBall(1)).is_zero());
   CHECK(found[2].contains(Rational(1L) / Rational(2L)));
-  CHECK(torsal_roots(with_slope(polynomial({2, 3, 1})), 128).empty());       // -1, -2
-  CHECK(torsal_roots(with_slope(polynomial({1, 0, 1})), 128).empty());       // none
-  CHECK(torsal_roots(with_slope(polynomial({-1, 2})), 128).size() == 1);
-  CHECK(torsal_roots(with_slope(polynomial({-3, 16, -16})), 128).size() == 2);  // 1/4, 3/4
+  for (const SpanPlace& place : {kAlone, kBetween}) {
+    CHECK(roots(polynomial({2, 3, 1}), place).empty());                  // -1, -2
+    CHECK(roots(polynomial({1, 0, 1}), place).empty());                  // none
+    CHECK(roots(polynomial({-1, 2}), place).size() == 1);                // 1/2
+    CHECK(roots(polynomial({-3, 16, -16}), place).size() == 2);          // 1/4, 3/4
+  }
+  const RationalPolynomial near = polynomial({-33, 1}) * polynomial({1, 32});  // -1/32, 33
+  CHECK(roots(near, kAlone).size() == 1);
+  CHECK(roots(near, kBetween).empty());
+  CHECK(roots(near, {1L, false, true}).size() == 1);
+  CHECK(roots(near, {1L, true, false}).empty());
+}
+
+TEST_CASE("Torsal rulings of cones are those where the normal N is isotropic", "[along_rulings]") {
+  RandomDirectrices random(15);
+  Directrices curves = random.lines(1, 2);
+  curves[0].radius = polynomial({9, 4, -3});
+  curves[1].radius = polynomial({8, -2, 3});
+  const Rulings rulings = joined(curves[0], curves[1]).rulings;
+  const RationalPolynomial found = torsal_polynomial(rulings);
+  // <N, N> is minus the Gram determinant of a', g, g' in R^{3,1}.
+  using Vector = std::array<RationalPolynomial, 4>;
+  const SphereCurve& a = rulings.point;
+  REQUIRE(a.denominator.degree() == 0);
+  const CircleFamily& g = rulings.direction;
+  const std::array<Vector, 3> v = {
+      Vector{a.centre[0].derivative(), a.centre[1].derivative(), a.centre[2].derivative(),
+             -a.radius.derivative()},
+      Vector{g.axis[0], g.axis[1], g.axis[2], -g.level},
+      Vector{g.axis[0].derivative(), g.axis[1].derivative(), g.axis[2].derivative(),
+             -g.level.derivative()}};
+  const auto gram = [&](std::size_t i, std::size_t j) {
+    return v[i][0] * v[j][0] + v[i][1] * v[j][1] + v[i][2] * v[j][2] - v[i][3] * v[j][3];
+  };
+  const RationalPolynomial determinant =
+      gram(0, 0) * (gram(1, 1) * gram(2, 2) - gram(1, 2) * gram(1, 2)) -
+      gram(0, 1) * (gram(0, 1) * gram(2, 2) - gram(1, 2) * gram(0, 2)) +
+      gram(0, 2) * (gram(0, 1) * gram(1, 2) - gram(1, 1) * gram(0, 2));
+  REQUIRE(determinant.degree() == found.degree());
+  CHECK(determinant * RationalPolynomial(found.coefficient(0)) ==
+        found * RationalPolynomial(determinant.coefficient(0)));
 }
 
 TEST_CASE("Cones: odd real roots of D are substituted away", "[along_rulings]") {
@@ -323,8 +364,8 @@ TEST_CASE("Slopes are by a parameter of the given length", "[along_rulings]") {
   RandomDirectrices random(14);
   const Directrices curves = random.lines(2, 2);
   const Rulings rulings = joined(curves[0], curves[1]).rulings;
-  const auto unit = std::get<RulingForms<RealBall>>(local_forms(rulings, curves, 1L, 128).carrier);
-  const auto longer = std::get<RulingForms<RealBall>>(local_forms(rulings, curves, 4L, 128).carrier);
+  const auto unit = std::get<RulingForms<RealBall>>(local_forms(rulings, curves, kAlone, 128).carrier);
+  const auto longer = std::get<RulingForms<RealBall>>(local_forms(rulings, curves, {4L, false, false}, 128).carrier);
   for (int i = 0; i < unit.axis_slope[1].degree(); ++i) {
     CHECK((unit.axis_slope[1][i] - RealBall(4) * longer.axis_slope[1][i]).contains_zero());
   }

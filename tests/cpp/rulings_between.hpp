@@ -6,22 +6,26 @@
 #include <random>
 
 #include "circle_families.hpp"
+#include "pn/algebra/roots.hpp"
 #include "pn/isotropic/along_rulings.hpp"
 
 namespace pn::test {
 
 using Directrices = std::array<SphereCurve, 2>;
 
-inline Envelope along(const Directrices& curves) {
-  return along_rulings(with_least_denominator(joined(curves[0], curves[1]).rulings), curves,
-                       Rational(1));
+/// A span over [0, 1] without neighbours, and one between two.
+inline const SpanPlace kAlone{1L, false, false}, kBetween{1L, true, true};
+
+inline Envelope along(const Directrices& curves, const SpanPlace& place = kAlone) {
+  return along_rulings(with_least_denominator(joined(curves[0], curves[1]).rulings), curves, place);
 }
 
 inline const RulingForms<RealBall>& rulings_of(const IsotropicHypersurface<RealBall>& gamma) {
   return std::get<RulingForms<RealBall>>(gamma.carrier);
 }
 
-/// Curves that run along x, the second one beside the first, without a torsal ruling in [0, 1].
+/// Curves that run along x, the second one beside the first, without a torsal ruling in [0, 1]
+/// or a little beyond.
 class RandomDirectrices {
  public:
   explicit RandomDirectrices(std::uint64_t seed) : generator_(seed) {}
@@ -32,10 +36,11 @@ class RandomDirectrices {
     for (;;) {
       const Directrices curves = {curve(p, {0, 0, 0}, first_denominator),
                                   curve(q, {0, 40, 7}, second_denominator)};
-      const Rulings rulings = joined(curves[0], curves[1]).rulings;
-      if (!torsion(rulings).is_zero() && roots_in_unit_interval(torsion(rulings)).empty()) {
-        return curves;
-      }
+      const RationalPolynomial turn = torsion(joined(curves[0], curves[1]).rulings);
+      if (turn.is_zero()) continue;
+      const Rational beyond = Rational(1L) / Rational(8L);
+      const auto wider = turn.on_interval(-beyond, Rational(1L) + beyond + beyond);
+      if (roots_in_unit_interval(wider).empty()) return curves;
     }
   }
 

@@ -239,17 +239,22 @@ struct BandAttempt {
   int lines_degree;
   double margin;
   bool halves;
+  double least_weight_ratio;  ///< within a segment
 };
 
+/// Long rulings turn their normals by nearly half a turn, and their weights vary by as much.
+constexpr double kLeastRatioOfLongRulings = 1e-4;
+
 /// From few poles and little to trim away to what always ends well.
-constexpr std::array<BandAttempt, 8> kBandAttempts = {{{0, 0.1, false},
-                                                       {1, 0.1, false},
-                                                       {1, 0.3, false},
-                                                       {2, 0.1, false},
-                                                       {2, 0.3, false},
-                                                       {2, 0.1, true},
-                                                       {2, 0.3, true},
-                                                       {2, 1.0, true}}};
+constexpr std::array<BandAttempt, 9> kBandAttempts = {{{0, 0.1, false, kLeastWeightRatio},
+                                                       {1, 0.1, false, kLeastWeightRatio},
+                                                       {1, 0.3, false, kLeastWeightRatio},
+                                                       {2, 0.1, false, kLeastWeightRatio},
+                                                       {2, 0.3, false, kLeastWeightRatio},
+                                                       {2, 0.1, true, kLeastWeightRatio},
+                                                       {2, 0.1, true, kLeastRatioOfLongRulings},
+                                                       {2, 0.01, true, kLeastRatioOfLongRulings},
+                                                       {2, 1.0, true, kLeastRatioOfLongRulings}}};
 
 /// Places on a segment at which the lines of a band are compared with its directrices.
 constexpr int kBandSamples = 17;
@@ -331,7 +336,7 @@ class Planner {
       target_ = std::make_unique<BandLines>(estimates_, attempt.margin);
       segments_ = whole_links([&](std::size_t) { return degree; });
       do {
-        if (is_band_covered()) return;
+        if (is_band_covered(attempt.least_weight_ratio)) return;
       } while (attempt.halves && halve_bad_segments());
     }
     throw GeometryError(ErrorCode::kWeightsNotPositive,
@@ -413,7 +418,7 @@ class Planner {
   }
 
   /// Finds the segments of a band that do not reach its directrices or have uneven weights.
-  bool is_band_covered() {
+  bool is_band_covered(double least_weight_ratio) {
     const auto spinors = restricted_spinors<double>();
     const auto factors = factors_for<double>(spinors);
     const std::vector<CircleColumns> band = {straight_band(1, 4)};
@@ -422,7 +427,7 @@ class Planner {
       const Carrier<double> carrier = estimated_carrier(segments_[i]);
       const auto w = isotropic_vector<double>(lined<double>(spinors[i], factors[i]));
       const WeightRange weights = weight_range(sections(carrier, w).weight, band);
-      const bool is_even = weights.least > kLeastWeightRatio * weights.largest;
+      const bool is_even = weights.least > least_weight_ratio * weights.largest;
       const auto& rulings = std::get<RulingForms<double>>(carrier);
       bad_[i] = !is_even || !reaches(directrix_forms(rulings, w));
     });

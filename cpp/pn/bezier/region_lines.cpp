@@ -44,27 +44,67 @@ struct BoundaryHull {
   bool winds = false;  ///< some loop goes around the circles
 };
 
+/// Follows the angle of (u0, u1) along an arc in steps that are small even near a pole.
+class AngleWalk {
+ public:
+  AngleWalk(const BoundaryArc& arc, const SpinorMatrix<std::complex<double>>& spinor)
+      : arc_(arc), spinor_(spinor) {}
+
+  struct Step {
+    double s, t, angle;
+  };
+
+  /// Steps from `first`, the angle of which continues `angle`, to `last`.
+  std::vector<Step> steps(double first, double last, double angle) const {
+    std::vector<Step> result = {at(first)};
+    result.back().angle = angle + std::remainder(result.back().angle - angle, M_PI);
+    for (int i = 1; i <= kSamplesPerArc; ++i) {
+      walk(result, first + (last - first) * i / kSamplesPerArc);
+    }
+    return result;
+  }
+
+  Step at(double s) const {
+    const ContactPoint contact = arc_(s);
+    const Vector2d u = parameter_of(value_at(spinor_, contact.t), contact.normal);
+    return {s, contact.t, std::atan2(u(1), u(0))};
+  }
+
+ private:
+  void walk(std::vector<Step>& steps, double to) const {
+    constexpr double kLargestTurn = 0.2, kShortest = 1e-10;
+    const Step from = steps.back();
+    Step next = at(to);
+    const double turn = std::remainder(next.angle - from.angle, M_PI);
+    if (std::abs(turn) > kLargestTurn && to - from.s > kShortest) {
+      walk(steps, (from.s + to) / 2);
+      return walk(steps, to);
+    }
+    next.angle = from.angle + turn;
+    steps.push_back(next);
+  }
+
+  const BoundaryArc& arc_;
+  const SpinorMatrix<std::complex<double>>& spinor_;
+};
+
 /// Of the parts of the loops with t > beyond.
 BoundaryHull boundary_hull(const BoundedRegion& region,
                            const SpinorMatrix<std::complex<double>>& spinor, double beyond) {
+  constexpr double kEnd = 1e-6;  // an arc may end at a pole
   BoundaryHull hull;
   for (const auto& loop : region.loops) {
-    double start = 0, last = 0;
-    bool has_begun = false;
+    const double start = AngleWalk(loop.front(), spinor).at(kEnd).angle;
+    double angle = start;
     for (const BoundaryArc& arc : loop) {
-      for (int i = 0; i < kSamplesPerArc; ++i) {
-        const ContactPoint at = arc((i + 0.5) / kSamplesPerArc);
-        if (at.t <= beyond) continue;
-        hull.t.add(at.t);
-        const Vector2d u = parameter_of(value_at(spinor, at.t), at.normal);
-        const double angle = std::atan2(u(1), u(0));
-        last = has_begun ? last + std::remainder(angle - last, M_PI) : angle;
-        if (!has_begun) start = angle;
-        has_begun = true;
-        hull.angle.add(last);
+      for (const auto& step : AngleWalk(arc, spinor).steps(kEnd, 1 - kEnd, angle)) {
+        angle = step.angle;
+        if (step.t <= beyond) continue;
+        hull.t.add(step.t);
+        hull.angle.add(step.angle);
       }
     }
-    hull.winds = hull.winds || std::abs(last - start) > M_PI / 2;
+    hull.winds = hull.winds || std::abs(angle - start) > M_PI / 2;
   }
   return hull;
 }

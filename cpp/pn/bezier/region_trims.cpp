@@ -236,9 +236,10 @@ class RegionTrimmer {
     std::vector<Stretch> stretches;
     for (const BoundaryArc& arc : loop) {
       const ArcPath path(parameters_, arc);
+      const std::vector<double> places = samples(path);
       std::vector<double> cuts = {0};
       if (parameters_->is_closed()) {
-        const auto at_knots = crossings([&](double s) {
+        const auto at_knots = crossings(places, [&](double s) {
           const double v = path.at(s, kAround / 2)[1];
           return v - nearest_knot(v);
         });
@@ -246,7 +247,7 @@ class RegionTrimmer {
       }
       for (const double joint : parameters_->joints()) {
         const auto at_joint =
-            crossings([&](double s) { return path.at(s, kAround / 2)[0] - joint; });
+            crossings(places, [&](double s) { return path.at(s, kAround / 2)[0] - joint; });
         cuts.insert(cuts.end(), at_joint.begin(), at_joint.end());
       }
       cuts.push_back(1);
@@ -264,14 +265,31 @@ class RegionTrimmer {
     return distance * std::round(v / distance);
   }
 
+  /// Places on an arc between which v changes little; near a pole it changes fast.
+  static std::vector<double> samples(const ArcPath& path) {
+    constexpr double kEnd = 1e-6;  // where an arc begins or ends on a line, it does not cross it
+    std::vector<double> places = {kEnd};
+    for (int i = 1; i <= kSamples; ++i) {
+      add_samples(path, places, kEnd + (1 - 2 * kEnd) * i / kSamples);
+    }
+    return places;
+  }
+  static void add_samples(const ArcPath& path, std::vector<double>& places, double to) {
+    constexpr double kSmallStep = 0.1, kShortest = 1e-10;
+    const double from = places.back();
+    const double change = path.at(to, kAround / 2)[1] - path.at(from, kAround / 2)[1];
+    const bool is_small = std::abs(std::remainder(change, kAround)) <= kSmallStep;
+    if (is_small || to - from <= kShortest) return places.push_back(to);
+    add_samples(path, places, (from + to) / 2);
+    add_samples(path, places, to);
+  }
+
   /// The zeros of a function of s that are no jumps.
   template <class Function>
-  static std::vector<double> crossings(const Function& f) {
-    constexpr double kEnd = 1e-6;  // where an arc begins or ends on a line, it does not cross it
+  static std::vector<double> crossings(const std::vector<double>& places, const Function& f) {
     std::vector<double> result;
-    for (int i = 0; i < kSamples; ++i) {
-      double low = kEnd + (1 - 2 * kEnd) * i / kSamples;
-      double high = kEnd + (1 - 2 * kEnd) * (i + 1) / kSamples;
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      double low = places[i], high = places[i + 1];
       const double at_low = f(low), at_high = f(high);
       if ((at_low < 0) == (at_high < 0)) continue;
       for (int k = 0; k < kBisections; ++k) {

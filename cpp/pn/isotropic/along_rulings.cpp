@@ -129,7 +129,8 @@ NormalPlane mean(const NormalPlane& a, const NormalPlane& b, double v) {
 /// Places on a span at which <w, g'> is looked at for its sign, which is the same all over it.
 constexpr int kSignSamples = 5;
 
-/// The sign of <w, g'>, freed of torsal roots, at the normals half-way between the directrices.
+/// The sign of <w, g'>, freed of the roots that are divided out of the sections, at the normals
+/// half-way between the directrices.
 double side_of(const RulingForms<double>& f) {
   double largest = 0;
   for (int i = 0; i < kSignSamples; ++i) {
@@ -137,7 +138,8 @@ double side_of(const RulingForms<double>& f) {
     const Vector3d n = band_normal(f, t, 0.5);
     double q = n.x() * f.axis_slope[0](t) + n.y() * f.axis_slope[1](t) +
                n.z() * f.axis_slope[2](t) + f.level_slope(t);
-    for (const double torsal : f.torsal_roots) q /= t - torsal;
+    for (const double root : f.torsal_roots) q /= t - root;
+    for (const double root : f.common_roots) q /= t - root;
     if (std::abs(q) > std::abs(largest)) largest = q;
   }
   return largest < 0 ? -1 : 1;

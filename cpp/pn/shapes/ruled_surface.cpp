@@ -125,8 +125,9 @@ GeometryError not_rational(const Span& span) {
 
 void require_rulings(const Span& span) {
   require_length(span);
+  if (is_developable(span)) return;
   require_cones(span);
-  if (!is_developable(span)) require_simple_torsal_rulings(span);
+  require_simple_torsal_rulings(span);
 }
 
 /// Each torsal ruling raises the degree, so a span has one at most: doubles between them.
