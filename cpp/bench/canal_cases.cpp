@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "clamped_cubic.hpp"
 #include "pn/shapes/canal_surface.hpp"
 
 namespace pn::bench {
@@ -10,18 +11,6 @@ namespace {
 
 const std::vector<std::array<double, 3>> kBentSpine = {
     {0, 0, 0}, {15, 5, 0}, {20, 15, 5}, {20, 20, 0}};
-
-/// Uniform knots, clamped at both ends, of a cubic with so many spans.
-template <std::size_t Dimension>
-BSplineData<Dimension> clamped_cubic(int spans) {
-  BSplineData<Dimension> data;
-  data.degree = 3;
-  for (int i = 0; i <= spans; ++i) {
-    data.knots.push_back(i);
-    data.multiplicities.push_back(i == 0 || i == spans ? 4 : 1);
-  }
-  return data;
-}
 
 }  // namespace
 

@@ -196,6 +196,7 @@ class CanalConcept {
     const Rational local = Rational::exactly(unit());
     const double angle = 2 * M_PI * unit();
     const RealBall t(local, precision), u0(std::cos(angle)), u1(std::sin(angle));
+    CHECK(jet(segment.sections.weight, t, u0, u1).value.is_positive());
     check_identities(segment.sections, t, u0, u1);
     const EnclosedContact at = contact(segment.sections, t, u0, u1);
     check_circle(link.envelope.enclosure(precision).circles,

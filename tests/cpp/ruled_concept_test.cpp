@@ -284,9 +284,9 @@ class RuledConcept {
       const auto [first, last] = of_face[index];
       const std::size_t at = first + random_() % (last - first);
       const LinedSegment& segment = segments[at];
-      const RealBall s(unit());
-      check_identities(segment.sections, RealBall(unit()).at_precision(net.precision()),
-                       RealBall(1) - s, s);
+      const RealBall t = RealBall(unit()).at_precision(net.precision()), s(unit());
+      CHECK(jet(segment.sections.weight, t, RealBall(1) - s, s).value.is_positive());
+      check_identities(segment.sections, t, RealBall(1) - s, s);
       const CircleColumns columns =
           straight_band(static_cast<int>(faces[index].v_knots.size()) - 1, faces[index].v_degree);
       const double u = segment.begin + unit() * (segment.end - segment.begin);

@@ -168,7 +168,32 @@ TEST_CASE("Torsal rulings inside a span cut it between them", "[ruled_surface]")
   CHECK(surface.certificate(Lines::kEven).trim_deviation < 1e-9);
 }
 
-TEST_CASE("Developable surfaces are refused", "[ruled_surface]") {
+TEST_CASE("Planes are exact", "[ruled_surface]") {
+  const PNSurface plane(ruled_surface(Curve::bezier({{0, 0, 2}, {1, 2, 2}, {3, 0, 2}}),
+                                      Curve::bezier({{0, 5, 2}, {1, 6, 2}, {4, 5, 2}})));
+  for (const auto& [x, n] : samples(plane.offset(0.75), 1)) {
+    CHECK(x[2] == Approx(2.75).epsilon(kRounding));
+    CHECK(n[2] == Approx(1).epsilon(kRounding));
+  }
+  for (const BSplineSurface& face : plane.faces(Lines::kEven)) CHECK(face.trims.empty());
+}
+
+TEST_CASE("A cylinder and a cone of revolution are exact strips", "[ruled_surface]") {
+  const PNSurface cylinder(ruled_surface(circle(2, 0, 0), circle(2, 0, 3))),
+      cone(ruled_surface(circle(2, 0, 0), circle(1, 0, 1)));
+  for (const auto& [x, n] : samples(cylinder.offset(0.5), 4)) {
+    CHECK(std::hypot(x[0], x[1]) == Approx(2.5).epsilon(kRounding));
+    CHECK(std::abs(n[2]) < kRounding);
+  }
+  for (const auto& [x, n] : samples(cone.offset(0.5), 4)) {
+    // The plane n.x = sqrt(2) + d of the cone r = 2 - z.
+    CHECK((std::hypot(x[0], x[1]) + x[2]) / std::sqrt(2.0) ==
+          Approx(std::sqrt(2.0) + 0.5).epsilon(kRounding));
+    CHECK(n[2] == Approx(std::sqrt(0.5)).epsilon(kRounding));
+  }
+}
+
+TEST_CASE("Other developable surfaces are refused", "[ruled_surface]") {
   const Curve cubic = Curve::bezier(kCubic);
   const auto developable = ErrorCode::kDevelopable;
   CHECK(refusal(cubic, mapped(kCubic, [](const Point& p) {
@@ -177,8 +202,6 @@ TEST_CASE("Developable surfaces are refused", "[ruled_surface]") {
   CHECK(refusal(cubic, mapped(kCubic, [](const Point& p) {
                   return Point{2 * p[0] + 1, 2 * p[1], 2 * p[2] + 5};
                 })) == developable);  // cone
-  CHECK(refusal(Curve::bezier({{0, 0, 0}, {1, 2, 0}, {3, 0, 0}}),
-                Curve::bezier({{0, 5, 0}, {1, 6, 0}, {4, 5, 0}})) == developable);  // plane
   // c and c + c', its degree raised: the tangent surface of a cubic.
   std::vector<Point> tangent = kCubic;
   for (std::size_t i = 0; i < 4; ++i) {

@@ -28,22 +28,23 @@ const RulingForms<double>& rulings_of(const IsotropicHypersurface<double>& gamma
 
 }  // namespace
 
-TEST_CASE("The target lines are the normals beyond the directrices, of weight 1",
-          "[ruling_band]") {
+TEST_CASE("The target lines are normals of weight 1 beyond both directrices", "[ruling_band]") {
   constexpr double kMargin = 0.125;
   const auto gamma = band();
   const BandLines lines({gamma}, kMargin);
   for (const double t : {0.0, 0.3, 0.9}) {
     const Eigen::Matrix2cd a = value_at(gamma.spinor, t) * lines.at(0, t);
-    const auto& rulings = rulings_of(gamma);
-    const Eigen::Vector3d low = band_normal(rulings, t, -kMargin),
-                          high = band_normal(rulings, t, 1 + kMargin);
-    CHECK((normal_of(a.col(0)) - low).norm() < 1e-10);
-    CHECK((normal_of(a.col(1)) - high).norm() < 1e-10);
     CHECK(a.col(0).norm() == Approx(1));
     CHECK(a.col(1).norm() == Approx(1));
+    // The directrices are as far inside as the margin says: with s = m / (1 + 2 m) on the chord.
+    const auto& rulings = rulings_of(gamma);
+    const Eigen::Vector2cd low = (1 + kMargin) * a.col(0) + kMargin * a.col(1),
+                           high = kMargin * a.col(0) + (1 + kMargin) * a.col(1);
+    CHECK((normal_of(low) - band_normal(rulings, t, 0)).norm() < 1e-10);
+    CHECK((normal_of(high) - band_normal(rulings, t, 1)).norm() < 1e-10);
     // The short arc: the weight in its middle is the cosine of half the angle between the normals.
-    const double cosine = std::sqrt((1 + low.dot(high)) / 2);
+    const double cosine =
+        std::sqrt((1 + normal_of(a.col(0)).dot(normal_of(a.col(1)))) / 2);
     CHECK(a.col(0).dot(a.col(1)).real() == Approx(cosine));
   }
 }

@@ -16,16 +16,10 @@ using Point = std::array<double, 3>;
 
 /// C1 quadratics over the same knots: three spans, three faces.
 const std::vector<double> kKnots = {0, 1, 2, 4};
-const BSplineData<3> kFirst{2,
-                            kKnots,
-                            {3, 1, 1, 3},
-                            {{0, 0, 0}, {2, 0, 0}, {4, 1, 0}, {7, 1, 1}, {9, 0, 1}},
-                            {}};
-const BSplineData<3> kSecond{2,
-                             kKnots,
-                             {3, 1, 1, 3},
-                             {{0, 4, 1}, {2, 5, 2}, {5, 4, 4}, {7, 4, 5}, {9, 5, 8}},
-                             {}};
+const BSplineData<3> kFirst{
+    2, kKnots, {3, 1, 1, 3}, {{0, 0, 0}, {2, 0, 0}, {4, 1, 0}, {7, 1, 1}, {9, 0, 1}}, {}};
+const BSplineData<3> kSecond{
+    2, kKnots, {3, 1, 1, 3}, {{0, 4, 1}, {2, 5, 2}, {5, 4, 4}, {7, 4, 5}, {9, 5, 8}}, {}};
 
 Point value(const Curve& curve, double t) {
   const auto& f = curve.function();
@@ -47,7 +41,7 @@ struct Band {
   Curve first = Curve::bspline(kFirst), second = Curve::bspline(kSecond);
   EnvelopeChain chain = ruled_surface(first, second);
   SectionNet net{chain, Lines::kEven, 128};
-  std::vector<FaceTrims> edges = trims(chain, net);
+  std::vector<TrimmedFace> trimmed = trimmed_faces(chain, net);
   std::vector<RoundedFace> faces = net.section(0);
 };
 
@@ -55,19 +49,19 @@ struct Band {
 
 TEST_CASE("Every face of a band has one loop, closed bit for bit", "[trimming]") {
   const Band band;
-  REQUIRE(band.edges.size() == band.net.faces().size());
-  REQUIRE(band.edges.size() > 1);
-  for (const FaceTrims& trims : band.edges) {
-    REQUIRE(trims.size() == 1);
-    const std::vector<TrimLoop> loops = curves_of(trims);
+  REQUIRE(band.trimmed.size() == band.net.faces().size());
+  REQUIRE(band.trimmed.size() > 1);
+  for (const TrimmedFace& face : band.trimmed) {
+    REQUIRE(face.loops.size() == 1);
+    const std::vector<TrimLoop> loops = curves_of(face);
     REQUIRE(loops.size() == 1);
-    for (std::size_t i = 0; i < loops[0].size(); ++i) {
-      CHECK(loops[0][i].poles.back() == loops[0][(i + 1) % loops[0].size()].poles.front());
+    for (std::size_t k = 0; k < loops[0].size(); ++k) {
+      CHECK(loops[0][k].poles.back() == loops[0][(k + 1) % loops[0].size()].poles.front());
     }
     double area = 0;  // counterclockwise: positive
     for (const ParameterCurve& curve : loops[0]) {
-      for (int i = 0; i < 50; ++i) {
-        const auto a = evaluate(curve, i / 50.0), b = evaluate(curve, (i + 1) / 50.0);
+      for (int step = 0; step < 50; ++step) {
+        const auto a = evaluate(curve, step / 50.0), b = evaluate(curve, (step + 1) / 50.0);
         area += (a[0] * b[1] - b[0] * a[1]) / 2;
       }
     }
@@ -77,8 +71,8 @@ TEST_CASE("Every face of a band has one loop, closed bit for bit", "[trimming]")
 
 TEST_CASE("Neighbours share their corners bit for bit", "[trimming]") {
   const Band band;
-  for (std::size_t i = 0; i + 1 < band.edges.size(); ++i) {
-    const auto &left = band.edges[i][0], &right = band.edges[i + 1][0];
+  for (std::size_t i = 0; i + 1 < band.trimmed.size(); ++i) {
+    const auto &left = band.trimmed[i].loops[0], &right = band.trimmed[i + 1].loops[0];
     const double joint = band.faces[i].surface.u_knots.back();
     const auto side_at = [&](const TrimEdgeLoop& loop) {
       for (const TrimEdge& edge : loop) {
@@ -95,9 +89,9 @@ TEST_CASE("Neighbours share their corners bit for bit", "[trimming]") {
 
 TEST_CASE("The edges lie on the directrices", "[trimming]") {
   const Band band;
-  for (std::size_t i = 0; i < band.edges.size(); ++i) {
+  for (std::size_t i = 0; i < band.trimmed.size(); ++i) {
     const BSplineSurface& surface = band.faces[i].surface;
-    for (const TrimEdge& edge : band.edges[i][0]) {
+    for (const TrimEdge& edge : band.trimmed[i].loops[0]) {
       if (!edge.path) continue;
       const bool is_low = edge.curve.poles.front()[0] < edge.curve.poles.back()[0];
       for (const double part : {0.0, 0.17, 0.5, 0.83, 1.0}) {
@@ -108,15 +102,15 @@ TEST_CASE("The edges lie on the directrices", "[trimming]") {
         CHECK(v < 1);
       }
     }
-    CHECK(trim_deviation(surface, band.edges[i]) < 1e-10);
+    CHECK(trim_deviation(surface, band.trimmed[i]) < 1e-10);
   }
 }
 
 TEST_CASE("The deviation is how far edges leave their paths", "[trimming]") {
   const Band band;
-  FaceTrims moved = band.edges[0];
+  TrimmedFace moved = band.trimmed[0];
   constexpr double kShift = 1e-6;
-  for (TrimEdge& edge : moved[0]) {
+  for (TrimEdge& edge : moved.loops[0]) {
     for (auto& pole : edge.curve.poles) pole[1] += kShift;
   }
   // The band is about four wide and one high in its parameter.
@@ -129,6 +123,8 @@ TEST_CASE("Whole faces have no trims", "[trimming]") {
   const EnvelopeChain pipe =
       canal_surface(Curve::bezier({{0, 0, 0}, {1, 1, 0}, {2, 0, 1}}), Law::constant(0.25));
   const SectionNet net(pipe, Lines::kEven, 128);
-  for (const FaceTrims& face : trims(pipe, net)) CHECK(face.empty());
-  CHECK(trim_deviation(net.section(0)[0].surface, {}) == 0);
+  for (const TrimmedFace& face : trimmed_faces(pipe, net)) {
+    CHECK(face.loops.empty());
+    CHECK(trim_deviation(net.section(0)[0].surface, face) == 0);
+  }
 }

@@ -32,6 +32,7 @@ class Quadric:
             "two_sheet_hyperboloid": ([x, y, -z], level, 1),
             "elliptic_paraboloid": ([c * x, c * y, mpf(0)], -height, 0),
             "hyperbolic_paraboloid": ([-c * x, c * y, mpf(0)], height, 0),
+            "parabolic_cylinder": ([c * x, mpf(0), mpf(0)], -height, 0),
             "elliptic_cylinder": ([x, y, mpf(0)], level, -1),
             "elliptic_cone": ([x, y, -z], level, 0),
         }[kind]
@@ -107,9 +108,10 @@ def bounded_kinds():
     return [
         ("ellipsoid", 3, 2, 1, None),
         ("one_sheet_hyperboloid", 3, 2, 4, {"z": (-1, 2)}),
-        ("two_sheet_hyperboloid", 3, 2, 2.5, {"x": (-1, 1.5), "y": (-1, 1)}),
+        ("two_sheet_hyperboloid", 3, 2, 2.5, {"x": (0.25, 1), "y": (-0.5, 1)}),
         ("elliptic_paraboloid", 3, 2, 1, {"x": (-1, 1.5), "y": (-1, 1)}),
         ("hyperbolic_paraboloid", 3, 2, 1, {"x": (-1, 1.5), "y": (-1, 1)}),
+        ("parabolic_cylinder", 3, 1, 2, {"x": (-1, 1.5), "y": (-1, 1)}),
         ("elliptic_cylinder", 2, 2, 1, {"z": (-1, 2)}),
         ("elliptic_cone", 2, 2, 3, {"z": (1, 2)}),
     ]

@@ -6,6 +6,7 @@ import pnkernel as pn
 import pytest
 from rulings import Cones, random_pair
 from splines import Spline
+from test_errors import refused
 from test_ruled_surface import assert_certified
 
 
@@ -76,3 +77,25 @@ def test_normals_touch_the_spheres():
             (_, c1, c2, _, _), (_, r1, r2, _, _) = cones.spheres(foot_t, v, 0)
             assert abs(float(c1 @ normal + r1)) < 1e-12
             assert abs(float(c2 @ normal + r2)) < 1e-12
+
+
+# Refusals -------------------------------------------------------------------------------------------
+
+
+def test_refusals_name_their_reason():
+    low, high = (pn.Curve.bezier(p) for p in ([[0, 0, 0], [4, 0, 0]], [[0, 5, 0], [4, 5, 3]]))
+    one, law = pn.Law.constant(1), pn.Law.bezier
+    inside = refused("radius_too_steep", lambda: pn.cone_envelope(low, one, high, pn.Law.constant(8)))
+    assert "inside the other" in inside
+    steep = refused("radius_too_steep",
+                    lambda: pn.cone_envelope(low, law([1, 6]), high, law([1, 6])))
+    assert "more slowly" in steep
+    longer = pn.Curve.bspline(1, [0, 3], [2, 2], [[0, 5, 0], [4, 5, 3]])
+    refused("domain_mismatch", lambda: pn.cone_envelope(low, one, longer, law([1, 2])))
+    # Between parallel lines the planes touch along whole cylinders.
+    flat = pn.Curve.bezier([[0, 5, 0], [4, 5, 0]])
+    refused("developable", lambda: pn.cone_envelope(low, one, flat, one))
+
+
+def test_no_distance_is_claimed_to_be_regular():
+    assert random_cones(0, 2).surface().regular_range == (0.0, 0.0)

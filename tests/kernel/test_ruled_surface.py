@@ -12,8 +12,9 @@ from mpmath import mpf, sqrt
 from numpy.polynomial import Polynomial
 from quadrics import Quadric
 from rulings import Cones, random_pair
-from splines import Spline, surface_point
+from splines import Spline, norm, surface_point
 from test_closed_forms import EXACT_WEIGHTS, quarters
+from test_errors import refused
 
 TIGHTNESS = 1e-6  # of the size: the limits stay behind the true ones by no more
 
@@ -187,6 +188,93 @@ def test_hyperboloid_between_two_ellipses():
         areas = [pnocct.area(pnocct.shell(s.offset(offset).bsplines())) for s in (ruled, whole)]
         assert areas[0] == pytest.approx(areas[1], rel=1e-9)
         assert pnocct.check(pnocct.shell(moved.bsplines()), boolean=True) == []
+
+
+# Developable surfaces -------------------------------------------------------------------------------
+
+
+def parabola(y):
+    return Spline.bezier([[-1, y, 1], [0, y, -1], [1, y, 1]])  # z = x^2
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "degree"),
+    [
+        # A plane; cylinder and cone of revolution over rational circles; a parabolic cylinder.
+        (Spline.bezier([[0, 0, 0], [4, 0, 0]]), Spline.bezier([[0, 3, 0], [4, 5, 0]]), (1, 1)),
+        (ellipse(4, 4, 0), ellipse(4, 4, 3), (5, 1)),
+        (ellipse(4, 4, 0), ellipse(2, 2, 3), (5, 1)),
+        (parabola(1), parabola(-1), (7, 1)),
+    ],
+)
+def test_developable_strips_with_rational_normals(first, second, degree):
+    cones = Cones((first, second))
+    surface = cones.surface()
+    assert list(surface.degree) == list(degree)
+    for offset in (0.0, 0.25, -0.25):
+        moved = surface.offset(offset)
+        for face in moved.bsplines():
+            assert face.trims == []
+            for u, v in face_parameters(face, np.random.default_rng(0), 6):
+                point = surface_point(face, u, v)
+                # Inside a span of a parabolic cylinder the parameter is not that of the curves.
+                start = min(np.linspace(face.u_knots[0], face.u_knots[-1], 33),
+                            key=lambda t: abs_distance(cones, point, t, face))
+                span = cones.centres[0].span_at(face.u_knots[0])
+                found = cones.contact(point, offset, start, span)[2]
+                assert abs(found - offset) <= moved.certificate.deviation
+        assert pnocct.check(pnocct.shell(moved.bsplines()), boolean=True) == []
+
+
+def abs_distance(cones, point, t, face):
+    """From the ruling of t."""
+    c, _, g, _, _ = cones.spheres(mpf(t), mpf(0), cones.centres[0].span_at(face.u_knots[0]))[0]
+    arm = point - c
+    return norm(arm - (arm @ g) / (g @ g) * g)
+
+
+def test_developable_surfaces_without_rational_normals():
+    curve = pn.Curve.bspline
+    refused("developable", lambda: pn.ruled_surface(curve(*ellipse(4, 3, 0).arguments),
+                                                    curve(*ellipse(4, 3, 3).arguments)))
+    apex = Spline.bezier([[0, 0, 0], [1, 0, 0], [1, 1, 0]])
+    opposite = Spline.bezier([[0, 0, 3], [-1, 0, 3], [-1, -1, 3]])
+    refused("developable", lambda: pn.ruled_surface(curve(*apex.arguments),
+                                                    curve(*opposite.arguments)))
+
+
+# Refusals -------------------------------------------------------------------------------------------
+
+
+def line(*ends):
+    return pn.Curve.bezier(ends)
+
+
+def test_refusals_name_their_reason():
+    low, high = line([0, 0, 0], [1, 0, 0]), line([0, 1, 0], [1, 1, 1])
+    assert "parameter 0.5" in refused(
+        "curves_meet", lambda: pn.ruled_surface(line([0, 0, 0], [2, 0, 0]),
+                                                line([1, -1, 0], [1, 1, 0])))
+    refused("zero_length", lambda: pn.ruled_surface(line([0, 0, 1], [0, 0, 1]), high))
+    corner = pn.Curve.bspline(1, [0, 1, 2], [2, 1, 2], [[0, 0, 0], [1, 0, 0], [2, 1, 0]])
+    assert "parameter 1" in refused("corner_too_sharp", lambda: pn.ruled_surface(corner, high))
+    refused("not_finite", lambda: pn.ruled_surface(low, high).offset(float("nan")))
+    noisy = [pn.Curve.bspline(*s.arguments) for s in random_pair(0, 8)]
+    assert "25" in refused("degree_too_high", lambda: pn.ruled_surface(*noisy))
+
+
+def test_identical_curves():
+    refused("identical_curves", lambda: pn.ruled_surface(*[line([0, 0, 0], [1, 0, 0])] * 2))
+
+
+def test_the_second_domain_is_mapped_to_the_first():
+    first = pn.Curve.bspline(1, [0, 2], [2, 2], [[0, 0, 0], [1, 0, 0]])
+    second = pn.Curve.bspline(1, [5, 6], [2, 2], [[0, 1, 0], [1, 1, 1]])
+    surface = pn.ruled_surface(first, second)
+    (face,) = surface.bsplines()
+    assert (face.u_knots[0], face.u_knots[-1]) == (0, 2)
+    (point,), _ = surface.evaluate([1.0], [0.5])
+    assert point[0] == pytest.approx(0.5, abs=1e-14)
 
 
 # Limits ---------------------------------------------------------------------------------------------

@@ -21,7 +21,7 @@ from pnsurfaces.quadric_offset import AXES
 CASES = {
     "Ellipsoid": None,
     "One-sheet hyperboloid": {"z": (-12, 9)},
-    "Two-sheet hyperboloid": {"z": (12, 25)},
+    "Two-sheet hyperboloid": {"z": (9, 13)},
     "Elliptic paraboloid": {"z": (0, 10)},
     "Hyperbolic paraboloid": {"x": (-10, 12), "y": (-8, 9)},
     "Parabolic cylinder": {"x": (-10, 12), "y": (-8, 9)},

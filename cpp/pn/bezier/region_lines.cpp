@@ -88,25 +88,54 @@ class AngleWalk {
   const SpinorMatrix<std::complex<double>>& spinor_;
 };
 
-/// Of the parts of the loops with t > beyond.
-BoundaryHull boundary_hull(const BoundedRegion& region,
-                           const SpinorMatrix<std::complex<double>>& spinor, double beyond) {
+/// All steps along the loops, the angle followed around each.
+std::vector<std::vector<AngleWalk::Step>> walks(const BoundedRegion& region,
+                                                const SpinorMatrix<std::complex<double>>& spinor) {
   constexpr double kEnd = 1e-6;  // an arc may end at a pole
-  BoundaryHull hull;
+  std::vector<std::vector<AngleWalk::Step>> result;
   for (const auto& loop : region.loops) {
-    const double start = AngleWalk(loop.front(), spinor).at(kEnd).angle;
-    double angle = start;
+    std::vector<AngleWalk::Step> around;
     for (const BoundaryArc& arc : loop) {
-      for (const auto& step : AngleWalk(arc, spinor).steps(kEnd, 1 - kEnd, angle)) {
-        angle = step.angle;
-        if (step.t <= beyond) continue;
-        hull.t.add(step.t);
-        hull.angle.add(step.angle);
-      }
+      const AngleWalk walk(arc, spinor);
+      const double angle = around.empty() ? walk.at(kEnd).angle : around.back().angle;
+      const auto steps = walk.steps(kEnd, 1 - kEnd, angle);
+      around.insert(around.end(), steps.begin(), steps.end());
     }
-    hull.winds = hull.winds || std::abs(angle - start) > M_PI / 2;
+    result.push_back(std::move(around));
+  }
+  return result;
+}
+
+BoundaryHull boundary_hull(const std::vector<std::vector<AngleWalk::Step>>& walks) {
+  BoundaryHull hull;
+  for (const auto& walk : walks) {
+    for (const auto& step : walk) {
+      hull.t.add(step.t);
+      hull.angle.add(step.angle);
+    }
+    hull.winds = hull.winds || std::abs(walk.back().angle - walk.front().angle) > M_PI / 2;
   }
   return hull;
+}
+
+/// The arc of directions on which the boundary lies beyond a circle: what remains of the half turn
+/// without its widest gap.
+Hull directions_beyond(const std::vector<std::vector<AngleWalk::Step>>& walks, double t) {
+  std::vector<double> angles;
+  for (const auto& walk : walks) {
+    for (const auto& step : walk) {
+      if (step.t > t) angles.push_back(step.angle - M_PI * std::floor(step.angle / M_PI));
+    }
+  }
+  std::sort(angles.begin(), angles.end());
+  Hull arc{angles.front(), angles.back()};
+  double widest = angles.front() + M_PI - angles.back();
+  for (std::size_t i = 1; i < angles.size(); ++i) {
+    if (angles[i] - angles[i - 1] <= widest) continue;
+    widest = angles[i] - angles[i - 1];
+    arc = {angles[i], angles[i - 1] + M_PI};
+  }
+  return arc;
 }
 
 Matrix2d short_entries(const Matrix2d& a) {
@@ -190,7 +219,8 @@ bool is_bounded_by_parallels(const BoundedRegion& region) {
 RegionLines region_lines(const EnvelopeChain& chain) {
   const auto& region = std::get<BoundedRegion>(chain.extent);
   const auto gamma = midpoint(chain.links.front().envelope.enclosure(kLeastPrecision));
-  const BoundaryHull hull = boundary_hull(region, gamma.spinor, 0);
+  const auto steps = walks(region, gamma.spinor);
+  const BoundaryHull hull = boundary_hull(steps);
   const Hull t = is_bounded_by_parallels(region) ? hull.t : hull.t.widened();
   RegionLines lines;
   lines.low = region.has_first_pole ? 0 : std::max(t.low, kAtPole);
@@ -209,8 +239,8 @@ RegionLines region_lines(const EnvelopeChain& chain) {
   }
   const double split = kWholePart * whole;
   lines.last_whole = split;
-  const BoundaryHull beyond = boundary_hull(region, gamma.spinor, split);
-  lines.factor = short_entries(half_between(value_at(gamma.spinor, split), beyond.angle));
+  const Hull beyond = directions_beyond(steps, split);
+  lines.factor = short_entries(half_between(value_at(gamma.spinor, split), beyond));
   return lines;
 }
 

@@ -83,11 +83,6 @@ RationalPolynomial determinant(const Vector4& a, const Vector4& b, const Vector4
          a[k] * (b[i] * c[j] - b[j] * c[i]);
 }
 
-/// All spheres are points.
-bool is_line_family(const Rulings& rulings) {
-  return rulings.direction.level.is_zero() && rulings.point.radius.is_zero();
-}
-
 Vector4 motion(const SphereCurve& point) {
   Vector4 result = numerator(point);
   for (RationalPolynomial& p : result) p = wronskian(p, point.denominator);
@@ -145,20 +140,32 @@ double side_of(const RulingForms<double>& f) {
   return largest < 0 ? -1 : 1;
 }
 
-/// The linear function by which sections divided by t - t* for every torsal ruling have to be
-/// multiplied to continue those of neighbours, which are not. Where a torsal ruling is the joint
-/// itself both neighbours divide, and 1 / length makes it the same in the designer's parameter.
-Form<RealBall> neighbours_scale(const std::vector<RealBall>& torsal, const SpanPlace& place,
-                                long precision) {
-  RealBall start(1), end(1);
-  const RealBall at_joint(Rational(1) / place.length, precision);
-  for (const RealBall& t : torsal) {
-    const RealBall from_end = RealBall(1) - t;
-    if (place.meets_before) start *= t.is_zero() ? at_joint : abs(t);
-    if (place.meets_after) end *= from_end.is_zero() ? at_joint : abs(from_end);
+/// What the sections of a span have to be multiplied by at its ends to continue those of
+/// neighbours.
+struct EndFactors {
+  RealBall start{1}, end{1};
+
+  /// Divided by t - root. Where a torsal root is the joint itself both neighbours divide, and 1 /
+  /// length makes it the same in the designer's parameter.
+  void divided_by(const RealBall& root, const RealBall& length) {
+    const RealBall from_end = RealBall(1) - root;
+    start *= root.is_zero() ? RealBall(1) / length : abs(root);
+    end *= from_end.is_zero() ? RealBall(1) / length : abs(from_end);
   }
-  const bool is_constant = torsal.empty() || !(place.meets_before || place.meets_after);
-  return is_constant ? Form<RealBall>::constant(start) : Form<RealBall>({start, end - start});
+};
+
+/// The linear function that takes these factors at the ends where neighbours meet the span.
+Form<RealBall> neighbours_scale(const EndFactors& factors, const SpanPlace& place) {
+  const RealBall start = place.meets_before ? factors.start : RealBall(1);
+  const RealBall rise = (place.meets_after ? factors.end : RealBall(1)) - start;
+  return rise.is_zero() ? Form<RealBall>::constant(start) : Form<RealBall>({start, rise});
+}
+
+/// dt / ds at s for the t of the local parameter s.
+RealBall speed(const LocalParameter& parameter, const RealBall& s) {
+  const Form<RealBall> t = parameter.form(RationalPolynomial({Rational(0), Rational(1)}), 1);
+  const Form<RealBall> one = parameter.form(RationalPolynomial(1L), 1);
+  return (t.derivative()(s) * one(s) - t(s) * one.derivative()(s)) / (one(s) * one(s));
 }
 
 /// The minors of a', g, g' without the first, second, third and fourth coordinate.
@@ -196,21 +203,55 @@ std::vector<RealBall> roots_on_span(RationalPolynomial p, const SpanPlace& place
   return roots;
 }
 
-/// Of the zeros of the torsal polynomial those whose normal N is that of the wanted sheet.
+/// The normal N of a', g and g' with what its minors have in common, where the three are dependent.
+struct RulingNormal {
+  RationalPolynomial common;
+  Vector4 coprime;  ///< the minors
+};
+
+RulingNormal ruling_normal(const Rulings& rulings) {
+  RulingNormal result{{}, minors(rulings)};
+  Vector4& m = result.coprime;
+  result.common = common_divisor(m[0], {m[1], m[2], m[3]});
+  if (result.common.is_zero()) return result;
+  for (RationalPolynomial& p : m) p = exact_quotient(p, result.common);
+  return result;
+}
+
+RationalPolynomial minkowski_square(const Vector4& m) {
+  return m[0] * m[0] + m[1] * m[1] + m[2] * m[2] - m[3] * m[3];
+}
+
+/// Where a', g and g' are dependent, and where their normal is isotropic and that of the wanted
+/// sheet.
 std::vector<RealBall> torsal_roots(const Rulings& rulings, const RulingForms<double>& forms,
                                    const SpanPlace& place, long precision) {
-  constexpr double kAside = 1e-4;  // at the root itself the band has no normal of its own for lines
-  std::vector<RealBall> roots = roots_on_span(torsal_polynomial(rulings), place, precision);
-  if (is_line_family(rulings)) return roots;
-  const Vector4 m = minors(rulings);
-  const auto is_of_other_sheet = [&](const RealBall& root) {
+  constexpr double kAside = 1e-4;
+  const RulingNormal normal = ruling_normal(rulings);
+  const Vector4& m = normal.coprime;
+  const auto is_of_wanted_sheet = [&](const RealBall& root) {
     const Rational t = Rational::exactly(root.midpoint());
     const Vector3d n(m[0](t).to_double(), -m[1](t).to_double(), m[2](t).to_double());
-    const double place_beside = root.midpoint() + (root.midpoint() < 0.5 ? kAside : -kAside);
-    return n.dot(band_normal(forms, place_beside, 0.5)) * m[3](t).sign() < 0;
+    const double beside = root.midpoint() + (root.midpoint() < 0.5 ? kAside : -kAside);
+    return n.dot(band_normal(forms, beside, 0.5)) * m[3](t).sign() > 0;
   };
-  roots.erase(std::remove_if(roots.begin(), roots.end(), is_of_other_sheet), roots.end());
+  std::vector<RealBall> roots = roots_on_span(normal.common, place, precision);
+  for (const RealBall& root : roots_on_span(minkowski_square(m), place, precision)) {
+    if (is_of_wanted_sheet(root)) roots.push_back(root);
+  }
   return roots;
+}
+
+EndFactors end_factors(const RulingForms<RealBall>& f, const LocalParameter& t,
+                       const RealBall& length) {
+  EndFactors factors;
+  for (const RealBall& root : f.torsal_roots) factors.divided_by(root, length);
+  for (const RealBall& root : f.common_roots) factors.divided_by(root, length);
+  if (!t.is_substituted()) return factors;
+  // The sections hold one slope, which the substitution took by its own parameter.
+  factors.start /= speed(t, RealBall(0));
+  factors.end /= speed(t, RealBall(1));
+  return factors;
 }
 
 RulingForms<RealBall> turned(RulingForms<RealBall> f, double factor) {
@@ -279,16 +320,11 @@ Rulings with_least_denominator(const Rulings& rulings) {
           rulings.direction};
 }
 
-RationalPolynomial torsion(const Rulings& rulings) {
-  const Vector4 m = minors(rulings);
-  return common_divisor(m[0], {m[1], m[2], m[3]});
-}
+RationalPolynomial torsion(const Rulings& rulings) { return ruling_normal(rulings).common; }
 
 RationalPolynomial torsal_polynomial(const Rulings& rulings) {
-  const Vector4 m = minors(rulings);
-  if (is_line_family(rulings)) return m[3];
-  const RationalPolynomial common = common_divisor(m[0], {m[1], m[2], m[3]});
-  return exact_quotient(m[0] * m[0] + m[1] * m[1] + m[2] * m[2] - m[3] * m[3], common * common);
+  const RulingNormal normal = ruling_normal(rulings);
+  return normal.common * minkowski_square(normal.coprime);
 }
 
 LocalForms local_forms(const Rulings& rulings, const std::array<SphereCurve, 2>& directrices,
@@ -318,13 +354,13 @@ LocalForms local_forms(const Rulings& rulings, const std::array<SphereCurve, 2>&
   f.scale = Form<RealBall>::constant(RealBall(1));
   f.torsal_roots = torsal_roots(
       rulings, std::get<RulingForms<double>>(midpoint(Carrier<RealBall>(f))), place, precision);
-  f.scale = neighbours_scale(f.torsal_roots, place, precision);
   f.degree = t.is_substituted() ? 2 * a.denominator.degree() + g.level.degree() - 2
                                 : excess_degree(rulings);
   for (const DoubleRoots::Real& root : family.roots.real) {
     f.common_roots.insert(f.common_roots.end(), root.copies, root.value);
   }
   f.common_at_infinity = family.roots.infinite_copies;
+  f.scale = neighbours_scale(end_factors(f, t, RealBall(place.length, precision)), place);
   const double side = side_of(std::get<RulingForms<double>>(midpoint(Carrier<RealBall>(f))));
   return {turned(std::move(f), side), std::move(g), std::move(family.roots), t.is_substituted()};
 }

@@ -59,8 +59,8 @@ struct SpanPlace {
 /// family is developable.
 RationalPolynomial torsion(const Rulings& rulings);
 
-/// Zero where the normal N of a', g and g' is isotropic, freed of common factors. For lines (R = 0)
-/// it is the torsion itself: the ruling is torsal there.
+/// The torsion times <N, N> for the coprime normal N of a', g and g': zero where a ruling may be
+/// torsal. For lines (R = 0) it is the torsion but for a constant.
 RationalPolynomial torsal_polynomial(const Rulings& rulings);
 
 /// The family in the local parameter, its slopes by the designer's. `directrices` bound the wanted

@@ -124,7 +124,6 @@ GeometryError not_rational(const Span& span) {
 }
 
 void require_rulings(const Span& span) {
-  require_length(span);
   if (is_developable(span)) return;
   require_cones(span);
   require_simple_torsal_rulings(span);
@@ -206,6 +205,7 @@ std::vector<Span> spans_between(const std::vector<SphereSpan>& first,
   std::vector<Span> spans(first.size());
   for_each_index(spans.size(), [&](std::size_t i) {
     spans[i] = {{first[i], second[i]}, joined(first[i].spheres, second[i].spheres), {}};
+    require_length(spans[i]);
     spans[i].rulings = with_least_denominator(spans[i].joined.rulings);
   });
   return spans;
@@ -305,7 +305,10 @@ EnvelopeChain chain_of(std::vector<Span> unscaled) {
     Joint joint = Joint::kNone;
     if (i > 0) joint = joint_of(chain.extent, spans[i - 1], spans[i]);
     if (i == 0 && chain.closed) joint = joint_of(chain.extent, spans.back(), spans.front());
-    chain.links.push_back({std::move(*envelopes[i]), std::nullopt, spans[i].begin().to_double(),
+    const Envelope& before = *envelopes[(i + spans.size() - 1) % spans.size()];
+    const bool is_substituted = envelopes[i]->is_substituted() || before.is_substituted();
+    if (joint == Joint::kSmooth && is_substituted) joint = Joint::kTangent;
+    chain.links.push_back({*envelopes[i], std::nullopt, spans[i].begin().to_double(),
                            spans[i].end().to_double(), joint});
     const auto& [first, second] = spans[i].directrices;
     if (is_line_family(spans[i])) chain.base.push_back(ruled_patch(first.spheres, second.spheres));

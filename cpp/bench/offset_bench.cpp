@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Offsets of quadrics and ruled surfaces, from the designer's numbers to certified poles, and what
+// comes after.
+#include <benchmark/benchmark.h>
+
+#include "offset_cases.hpp"
+#include "pn/algebra/precision.hpp"
+#include "pn/bezier/offset_limits.hpp"
+#include "pn/bezier/trimming.hpp"
+
+namespace pn::bench {
+namespace {
+
+/// The check of the input, the choice of roots, the factorization.
+void chain(benchmark::State& state, const OffsetCase& offset) {
+  for (auto _ : state) benchmark::DoNotOptimize(chain_of(offset.base));
+}
+
+/// Chain, net and rounding.
+void numbers_to_whole_faces(benchmark::State& state, const OffsetCase& offset) {
+  std::size_t poles = 0;
+  for (auto _ : state) {
+    poles = 0;
+    for (const RoundedFace& face : whole_faces(chain_of(offset.base), offset.distance)) {
+      poles += face.surface.poles.size();
+    }
+  }
+  state.counters["poles"] = static_cast<double>(poles);
+}
+
+SectionNet net_of(const EnvelopeChain& chain) {
+  return at_sufficient_precision(
+      [&](long bits) { return SectionNet(chain, Lines::kEven, bits); });
+}
+
+void another_distance(benchmark::State& state, const OffsetCase& offset) {
+  const SectionNet net = net_of(chain_of(offset.base));
+  double distance = offset.distance;
+  for (auto _ : state) {
+    distance += 1.0 / 1024;
+    benchmark::DoNotOptimize(net.section(distance));
+  }
+}
+
+/// The trims of all faces, and how far they are off.
+void edges(benchmark::State& state, const OffsetCase& offset) {
+  const EnvelopeChain chain = chain_of(offset.base);
+  const SectionNet net = net_of(chain);
+  const std::vector<RoundedFace> faces = net.section(offset.distance);
+  for (auto _ : state) {
+    double deviation = 0;
+    for (const TrimmedFace& face : trimmed_faces(chain, net)) {
+      deviation = std::max(deviation, trim_deviation(faces[face.net_face].surface, face));
+    }
+    state.counters["trim_deviation"] = deviation;
+  }
+}
+
+void limits(benchmark::State& state, const OffsetCase& offset) {
+  const EnvelopeChain chain = chain_of(offset.base);
+  const double tolerance = default_tolerance(chain);
+  for (auto _ : state) benchmark::DoNotOptimize(regular_range(chain, tolerance));
+}
+
+bool register_all() {
+  const std::pair<const char*, void (*)(benchmark::State&, const OffsetCase&)> steps[] = {
+      {"chain", chain},
+      {"numbers_to_whole_faces", numbers_to_whole_faces},
+      {"another_distance", another_distance},
+      {"edges", edges},
+      {"limits", limits}};
+  for (const OffsetCase& offset : offset_cases()) {
+    for (const auto& [name, step] : steps) {
+      const std::string full = "offset_step/" + offset.name + "/" + name;
+      benchmark::RegisterBenchmark(full.c_str(), step, offset)->Unit(benchmark::kMicrosecond);
+    }
+  }
+  return true;
+}
+
+const bool kRegistered = register_all();
+
+}  // namespace
+}  // namespace pn::bench
