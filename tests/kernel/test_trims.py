@@ -16,7 +16,7 @@ TIGHT = 1e-9  # mm: what an edge may lie beside the true boundary, for bodies of
 REGIONS = [
     ("ellipsoid", 3, 2, 1, {"z": (-0.3, 0.6)}),
     ("ellipsoid", 3, 2, 1, {"z": (0, 2)}),
-    ("ellipsoid", 3, 2, 1, {"x": (0, 2), "y": (-0.5, 1)}),
+    ("ellipsoid", 3, 2, 1, {"x": (0, 2), "y": (-0.5, 1), "z": (0, 1)}),
     ("ellipsoid", 3, 2, 1, {"x": (0, 1), "y": (-0.5, 0.5), "z": (0, 1)}),
     ("ellipsoid", 3, 2, 1, {"angle": (0.2, 2)}),
     ("ellipsoid", 3, 2, 1, {"angle": (0.2, 5)}),
@@ -29,7 +29,7 @@ REGIONS = [
     ("two_sheet_hyperboloid", 3, 2, 1, {"z": (1.1, 1.2)}),
     ("two_sheet_hyperboloid", 3, 2, 1, {"x": (-1, 0.5), "y": (-1, 1)}),
     ("elliptic_paraboloid", 3, 2, 1, {"z": (-1, 3)}),
-    ("elliptic_paraboloid", 3, 2, 1, {"z": (0.5, 1.2)}),
+    ("elliptic_paraboloid", 3, 2, 1, {"z": (0.5, 2.5)}),
     ("elliptic_paraboloid", 3, 2, 1, {"x": (-1, 1.5), "y": (-1, 1)}),
     ("hyperbolic_paraboloid", 3, 2, 1, {"x": (-1, 1.5), "y": (-1, 1)}),
     ("hyperbolic_paraboloid", 3, 2, 1, {"x": (-1, 1), "y": (-1, 1), "angle": (0, 1)}),
