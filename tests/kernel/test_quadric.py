@@ -130,7 +130,7 @@ def test_nearly_equal_axes(difference):
         assert_certified(surface.offset(0.25), definition, 3)
 
 
-@pytest.mark.parametrize("size", [1e-6, 1e-3, 1e3, 1e6])
+@pytest.mark.parametrize("size", [1e-6, 1e-3, 1e6])
 def test_sizes(size):
     for kind, a, b, c, bounds in bounded_kinds():
         # Of a paraboloid c is a height, at x = a.
