@@ -65,8 +65,10 @@ void check_on_rulings(const Directrices& curves, const Envelope& envelope) {
   }
 }
 
-const RationalPolynomial kQuadratic = polynomial({2, -1, 1}), kOtherQuadratic = polynomial({3, 1, 1}),
-                         kCubic = polynomial({3, 1, -1, 1}), kOtherCubic = polynomial({4, 1, 0, -1});
+const RationalPolynomial kQuadratic = polynomial({2, -1, 1}),
+                         kOtherQuadratic = polynomial({3, 1, 1}),
+                         kCubic = polynomial({3, 1, -1, 1}),
+                         kOtherCubic = polynomial({4, 1, 0, -1});
 
 }  // namespace
 
@@ -152,7 +154,8 @@ TEST_CASE("A common factor of the rulings is content", "[along_rulings]") {
   const JoinedRulings found = joined(first, second);
   CHECK(found.content == factor);
   CHECK(found.rulings.direction.degree() == 2);
-  CHECK(along({first, second}).degree() == along_rulings(found.rulings, {first, second}, kAlone).degree());
+  CHECK(along({first, second}).degree() ==
+        along_rulings(found.rulings, {first, second}, kAlone).degree());
   check_on_rulings({first, second}, along({first, second}));
 }
 
@@ -179,8 +182,8 @@ TEST_CASE("The point of least denominator lies on the same lines", "[along_rulin
       };
       CHECK((shift(i) * g[j] - shift(j) * g[i]).is_zero());
       common = gcd(common, least.point.centre[i] * g[j] - least.point.centre[j] * g[i]);
-      common = gcd(common, least.point.centre[i] * rulings.direction.level -
-                               least.point.radius * g[i]);
+      common =
+          gcd(common, least.point.centre[i] * rulings.direction.level - least.point.radius * g[i]);
     }
     common = gcd(common, least.point.centre[0] * rulings.direction.axis[2] -
                              least.point.centre[2] * rulings.direction.axis[0]);
@@ -208,9 +211,8 @@ TEST_CASE("The torsion is the determinant of a', g and g'", "[along_rulings]") {
   CHECK(turn * RationalPolynomial(slope.coefficient(2)) ==
         slope * RationalPolynomial(turn.coefficient(2)));
   // Planes, cylinders, cones and tangent surfaces do not turn.
-  const SphereCurve cubic{{polynomial({0, 1}), polynomial({0, 0, 1}), polynomial({0, 0, 0, 1})},
-                          0L,
-                          1L};
+  const SphereCurve cubic{
+      {polynomial({0, 1}), polynomial({0, 0, 1}), polynomial({0, 0, 0, 1})}, 0L, 1L};
   SphereCurve moved = cubic, tangent = cubic, cone = cubic;
   for (std::size_t i = 0; i < 3; ++i) {
     moved.centre[i] += RationalPolynomial(3L);
@@ -249,10 +251,10 @@ TEST_CASE("Torsal roots inside, at joints exactly, and a little beyond free ends
   CHECK((found[1] - RealBall(1)).is_zero());
   CHECK(found[2].contains(Rational(1L) / Rational(2L)));
   for (const SpanPlace& place : {kAlone, kBetween}) {
-    CHECK(roots(polynomial({2, 3, 1}), place).empty());                  // -1, -2
-    CHECK(roots(polynomial({1, 0, 1}), place).empty());                  // none
-    CHECK(roots(polynomial({-1, 2}), place).size() == 1);                // 1/2
-    CHECK(roots(polynomial({-3, 16, -16}), place).size() == 2);          // 1/4, 3/4
+    CHECK(roots(polynomial({2, 3, 1}), place).empty());          // -1, -2
+    CHECK(roots(polynomial({1, 0, 1}), place).empty());          // none
+    CHECK(roots(polynomial({-1, 2}), place).size() == 1);        // 1/2
+    CHECK(roots(polynomial({-3, 16, -16}), place).size() == 2);  // 1/4, 3/4
   }
   const RationalPolynomial near = polynomial({-33, 1}) * polynomial({1, 32});  // -1/32, 33
   CHECK(roots(near, kAlone).size() == 1);
@@ -273,12 +275,11 @@ TEST_CASE("Torsal rulings of cones are those where the normal N is isotropic", "
   const SphereCurve& a = rulings.point;
   REQUIRE(a.denominator.degree() == 0);
   const CircleFamily& g = rulings.direction;
-  const std::array<Vector, 3> v = {
-      Vector{a.centre[0].derivative(), a.centre[1].derivative(), a.centre[2].derivative(),
-             -a.radius.derivative()},
-      Vector{g.axis[0], g.axis[1], g.axis[2], -g.level},
-      Vector{g.axis[0].derivative(), g.axis[1].derivative(), g.axis[2].derivative(),
-             -g.level.derivative()}};
+  const std::array<Vector, 3> v = {Vector{a.centre[0].derivative(), a.centre[1].derivative(),
+                                          a.centre[2].derivative(), -a.radius.derivative()},
+                                   Vector{g.axis[0], g.axis[1], g.axis[2], -g.level},
+                                   Vector{g.axis[0].derivative(), g.axis[1].derivative(),
+                                          g.axis[2].derivative(), -g.level.derivative()}};
   const auto gram = [&](std::size_t i, std::size_t j) {
     return v[i][0] * v[j][0] + v[i][1] * v[j][1] + v[i][2] * v[j][2] - v[i][3] * v[j][3];
   };
@@ -303,7 +304,8 @@ TEST_CASE("Cones: odd real roots of D are substituted away", "[along_rulings]") 
   const Envelope envelope = along({first, second});
   CHECK(envelope.is_substituted());
   check_gamma(envelope);
-  // Without a real root of D the parameter stays, and the points lie on the generators of the cones.
+  // Without a real root of D the parameter stays, and the points lie on the generators of the
+  // cones.
   second.radius = polynomial({2, -1});
   const Envelope gentle = along({first, second});
   check_gamma(gentle);
@@ -316,7 +318,8 @@ TEST_CASE("Cones: the point moves the more the spheres differ", "[along_rulings]
     Directrices curves = random.lines(k, k);
     // Slower than the centres by far, so that D has no real root: a linear function of x.
     for (SphereCurve& c : curves) {
-      c.radius = RationalPolynomial(Rational(1L) / Rational(9L)) * c.centre[0] + RationalPolynomial(20L);
+      c.radius =
+          RationalPolynomial(Rational(1L) / Rational(9L)) * c.centre[0] + RationalPolynomial(20L);
     }
     const Envelope envelope = along(curves);
     REQUIRE_FALSE(envelope.is_substituted());
@@ -348,8 +351,8 @@ TEST_CASE("The normal of the band is orthogonal to the ruling and to the motion"
             (1 - v) * value(a.derivative()) + v * value(b.derivative());
       }
       const double change = value(curves[1].radius) - value(curves[0].radius);
-      const double growth = (1 - v) * value(curves[0].radius.derivative()) +
-                            v * value(curves[1].radius.derivative());
+      const double growth =
+          (1 - v) * value(curves[0].radius.derivative()) + v * value(curves[1].radius.derivative());
       CHECK(n.norm() == Approx(1));
       CHECK(std::abs(n.dot(g) + change) < 1e-12 * g.norm());
       CHECK(std::abs(n.dot(motion) + growth) < 1e-12 * motion.norm());
@@ -362,8 +365,10 @@ TEST_CASE("Slopes are by a parameter of the given length", "[along_rulings]") {
   RandomDirectrices random(14);
   const Directrices curves = random.lines(2, 2);
   const Rulings rulings = joined(curves[0], curves[1]).rulings;
-  const auto unit = std::get<RulingForms<RealBall>>(local_forms(rulings, curves, kAlone, 128).carrier);
-  const auto longer = std::get<RulingForms<RealBall>>(local_forms(rulings, curves, {4L, false, false}, 128).carrier);
+  const auto unit =
+      std::get<RulingForms<RealBall>>(local_forms(rulings, curves, kAlone, 128).carrier);
+  const auto longer = std::get<RulingForms<RealBall>>(
+      local_forms(rulings, curves, {4L, false, false}, 128).carrier);
   for (int i = 0; i < unit.axis_slope[1].degree(); ++i) {
     CHECK((unit.axis_slope[1][i] - RealBall(4) * longer.axis_slope[1][i]).contains_zero());
   }

@@ -109,9 +109,8 @@ void check_weight_ratio(const std::vector<BSplineSurface>& faces,
     }
   }
   for (const LinedSegment& segment : segments) {
-    of_spine = std::min(
-        of_spine,
-        ratio_of(std::get<SphereCurveForms<double>>(segment.carrier).denominator));
+    of_spine = std::min(of_spine,
+                        ratio_of(std::get<SphereCurveForms<double>>(segment.carrier).denominator));
   }
   CHECK(least / largest > 0.01 * of_spine);
 }
@@ -189,8 +188,7 @@ class CanalConcept {
                        [](const ChainLink& link) { return link.envelope.degree() <= 25 - 6; });
   }
 
-  void check_segment(const std::vector<LinedSegment>& segments, std::size_t index,
-                     long precision) {
+  void check_segment(const std::vector<LinedSegment>& segments, std::size_t index, long precision) {
     const LinedSegment& segment = segments[index];
     const ChainLink& link = *links_of(chain_, segments)[index];
     const Rational local = Rational::exactly(unit());

@@ -90,14 +90,16 @@ TEST_CASE("The arcs are squares that continue each other once around", "[circle_
       const CircleColumns arc = pn::circle_arc(i, arcs, 2);
       REQUIRE(arc.coefficients.size() == 3);
       for (const double v : parameters(arc)) check_square(circle_coefficients(arc, v));
-      CHECK(arc.coefficients.back() == pn::circle_arc((i + 1) % arcs, arcs, 2).coefficients.front());
+      CHECK(arc.coefficients.back() ==
+            pn::circle_arc((i + 1) % arcs, arcs, 2).coefficients.front());
       sum += turn(arc);
     }
     CHECK(sum == Approx(2 * M_PI));
   }
 }
 
-TEST_CASE("Forms of degree n in u take the monomials of p, degree 2 n along", "[circle_parameter]") {
+TEST_CASE("Forms of degree n in u take the monomials of p, degree 2 n along",
+          "[circle_parameter]") {
   // Of degree 4: the square of the columns of degree 2, where c2 = (p^2, 2 p q, q^2) are taken.
   const CircleColumns two = pn::circle_part(0, 4, 4, 2), four = pn::circle_part(0, 4, 4, 4);
   CHECK(four.degree == 8);

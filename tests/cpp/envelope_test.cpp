@@ -14,9 +14,10 @@ using namespace pn::test;
 
 namespace {
 
-const SphereCurve kSpine{{polynomial({0, 5, 1}), polynomial({1, 0, 3, 1}), polynomial({2, -1, 0, 4})},
-                         polynomial({1, 1, -1}),
-                         1L};
+const SphereCurve kSpine{
+    {polynomial({0, 5, 1}), polynomial({1, 0, 3, 1}), polynomial({2, -1, 0, 4})},
+    polynomial({1, 1, -1}),
+    1L};
 
 }  // namespace
 

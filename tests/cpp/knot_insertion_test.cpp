@@ -22,7 +22,8 @@ Rational value(const SplineColumns<Rational>& spline, const Rational& x, std::si
 SplineColumns<Rational> spline() {
   SplineColumns<Rational> s{3, {}, {}};
   for (const long knot : {0L, 0L, 0L, 0L, 2L, 5L, 5L, 6L, 6L, 6L, 6L}) s.knots.emplace_back(knot);
-  for (const long i : {1L, 4L, -2L, 0L, 7L, 3L, 5L}) s.points.push_back({Rational(i), Rational(i * i)});
+  for (const long i : {1L, 4L, -2L, 0L, 7L, 3L, 5L})
+    s.points.push_back({Rational(i), Rational(i * i)});
   return s;
 }
 

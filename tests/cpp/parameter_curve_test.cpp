@@ -36,10 +36,15 @@ void check_clamped(const ParameterCurve& curve) {
 }  // namespace
 
 TEST_CASE("The spline follows its path to within the tolerance", "[parameter_curve]") {
-  const std::vector<ParameterPath> paths = {
-      [](double t) { return Point{t, std::sin(3 * t)}; },
-      [](double t) { return Point{1 + 2 * t, 1 / (1 + 25 * t * t)}; },
-      [](double t) { return Point{t, std::tanh(40 * (t - 0.3))}; }};
+  const std::vector<ParameterPath> paths = {[](double t) {
+                                              return Point{t, std::sin(3 * t)};
+                                            },
+                                            [](double t) {
+                                              return Point{1 + 2 * t, 1 / (1 + 25 * t * t)};
+                                            },
+                                            [](double t) {
+                                              return Point{t, std::tanh(40 * (t - 0.3))};
+                                            }};
   for (const double tolerance : {1e-6, 1e-12}) {
     for (const ParameterPath& path : paths) {
       const ParameterCurve curve = interpolated(path, tolerance);
@@ -48,6 +53,17 @@ TEST_CASE("The spline follows its path to within the tolerance", "[parameter_cur
       CHECK(curve.poles.front() == path(0));
       CHECK(curve.poles.back() == path(1));
     }
+  }
+}
+
+TEST_CASE("The ends are those of the path, bit for bit", "[parameter_curve]") {
+  for (int k = 0; k < 50; ++k) {
+    const auto path = [k](double t) {
+      return Point{k / 7.0 + t / 3, std::sin(k + 11 * t) / (k + 1)};
+    };
+    const ParameterCurve curve = interpolated(path, 1e-3);
+    CHECK(curve.poles.front() == path(0));
+    CHECK(curve.poles.back() == path(1));
   }
 }
 
@@ -92,7 +108,10 @@ TEST_CASE("A path that is not finite is refused", "[parameter_curve]") {
 
 TEST_CASE("Evaluation is that of de Boor's algorithm", "[parameter_curve]") {
   const ParameterCurve curve = interpolated(
-      [](double t) { return Point{t, std::exp(-5 * t)}; }, 1e-9);
+      [](double t) {
+        return Point{t, std::exp(-5 * t)};
+      },
+      1e-9);
   const auto ball = [](double x) { return RealBall(x).at_precision(128); };
   const auto flat = flat_knots<RealBall>(curve.knots, curve.multiplicities, ball);
   for (const double at : {0.0, 0.1, 0.25, 0.7, 1.0}) {

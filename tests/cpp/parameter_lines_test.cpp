@@ -133,8 +133,7 @@ TEST_CASE("Lines of lowest degree add nothing where weights allow it, else a lin
   const EnvelopeChain gentle = canal_surface(
       Curve::bezier({{0, 0, 0}, {1, 0, 0}, {2, 0.25, 0}, {3, 0.25, 0.25}}), Law::constant(0.25));
   for (const LinedSegment& segment : lined_segments(gentle, Lines::kLowestDegree, 128)) {
-    CHECK(degree_of(segment) ==
-          gentle.links[0].envelope.degree());
+    CHECK(degree_of(segment) == gentle.links[0].envelope.degree());
   }
   const EnvelopeChain chain = smooth_chain();
   int largest = 0;

@@ -177,15 +177,17 @@ TEST_CASE("The certificate describes the faces", "[pn_surface]") {
 }
 
 TEST_CASE("Only trimmed faces have edges that are measured", "[pn_surface]") {
-  CHECK(PNSurface(canal_surface(kCubic, Law::constant(0.25))).certificate(Lines::kEven).trim_deviation ==
-        0);
+  CHECK(PNSurface(canal_surface(kCubic, Law::constant(0.25)))
+            .certificate(Lines::kEven)
+            .trim_deviation == 0);
   const PNSurface band(
       ruled_surface(kCubic, Curve::bezier({{0, 3, 0}, {1, 3, 1}, {2, 4, 0}, {3, 4, 2}})));
   for (const double d : {0.0, 0.5}) {
     const Certificate certificate = band.offset(d).certificate(Lines::kEven);
     CHECK(certificate.trim_deviation > 0);
     CHECK(certificate.trim_deviation < 1e-9);
-    for (const BSplineSurface& face : band.offset(d).faces(Lines::kEven)) CHECK(face.trims.size() == 1);
+    for (const BSplineSurface& face : band.offset(d).faces(Lines::kEven))
+      CHECK(face.trims.size() == 1);
   }
 }
 

@@ -252,8 +252,8 @@ class RandomRuledSurface {
       power.push_back(slope.coefficient(i) * Rational(3) / Rational(long{8 * (i + 1)}));
     }
     z += RationalPolynomial(power);
-    const std::array<RationalPolynomial, 3> line = {
-        RationalPolynomial({Rational(0), Rational(24)}), 0L, 0L};
+    const std::array<RationalPolynomial, 3> line = {RationalPolynomial({Rational(0), Rational(24)}),
+                                                    0L, 0L};
     const std::array<RationalPolynomial, 3> g = {RationalPolynomial(3L) * integers(3, 2), 24L, z};
     return {"two torsal rulings", {bezier(line, 1), bezier(sum(line, g), 3)}, {}};
   }
@@ -269,7 +269,8 @@ class RandomRuledSurface {
     const auto make_parallel = [&](std::size_t end, std::size_t beside_a, std::size_t beside_b,
                                    std::size_t end_b) {
       auto &a = input.curves[0].poles, &b = input.curves[1].poles;
-      const double factor = between(3, 6) / 4.0;
+      // A factor of many digits leaves the tangents parallel but for the rounding of the poles.
+      const double factor = rounded ? between(3, 6) * M_PI / 12 : between(3, 6) / 4.0;
       for (std::size_t c = 0; c < 3; ++c) {
         b[beside_b][c] = b[end_b][c] + factor * (a[beside_a][c] - a[end][c]);
       }
@@ -285,12 +286,14 @@ class RandomRuledSurface {
   /// On the first of two C2 spans the rulings have a common factor, which vanishes beside it: their
   /// length varies, their lines are of lower degree.
   RuledInput common_factor() {
-    const RationalPolynomial factor({Rational(long{between(1, 3)}), Rational(long{between(-3, 3)})});
+    const RationalPolynomial factor(
+        {Rational(long{between(1, 3)}), Rational(long{between(-3, 3)})});
     if (!is_positive_on_unit_interval(factor)) return torsal_inside();
     const auto quadratic = [&](long constant) {
       return RationalPolynomial(6L) * (integers(2, 1) + RationalPolynomial(constant));
     };
-    const std::array<RationalPolynomial, 3> a = {quadratic(0) + RationalPolynomial({Rational(0), Rational(24)}),
+    const std::array<RationalPolynomial, 3> a = {quadratic(0) + RationalPolynomial(
+                                                                    {Rational(0), Rational(24)}),
                                                  quadratic(0), quadratic(0)},
                                             g = {factor * quadratic(0), factor * quadratic(4),
                                                  factor * quadratic(0)};
@@ -385,22 +388,22 @@ class RandomRuledSurface {
     return input;
   }
 
-  /// Spheres of radii that vary along both curves.
+  /// Spheres of radii that vary along both curves, mostly over one span, rational or not.
   RuledInput cones() {
-    RuledInput input = open_splines();
-    input.kind = "cones, " + input.kind;
-    if (input.curves[0].degree > 2 || !input.curves[0].weights.empty()) {
-      input.curves[0] = open_spline(between(1, 2), between(1, 2), 0, 2, {0, 0, 0}, 8);
-      input.curves[1] =
-          open_spline(between(1, 2), between(1, 2), 0, 2, {noise(2), 4 + noise(2), noise(4)}, 8);
-    }
-    for (BSplineData<3>& curve : input.curves) curve.weights.clear();
-    input.radii.emplace();
+    RuledInput input{"cones", {}, std::array<BSplineData<1>, 2>()};
+    const int spans = one_in(4) ? 2 : 1;
+    const bool rational = one_in(3);
+    if (spans > 1) input.kind += ", several spans";
+    if (rational) input.kind += ", rational";
     const double steepness = one_in(4) ? 0.75 : 0.25;
     for (std::size_t side = 0; side < 2; ++side) {
-      const BSplineData<3>& curve = input.curves[side];
+      const Point start = side == 0 ? Point{0, 0, 0} : Point{noise(2), 4 + noise(2), noise(4)};
+      BSplineData<3>& curve = input.curves[side];
+      curve = open_spline(between(1, 2), spans, 0, 2, start, 8);
+      if (rational) curve.weights = weights(curve.poles.size());
       BSplineData<1> law{curve.degree, curve.knots, curve.multiplicities, {}, {}};
-      const double least = 1 + noise(0.5), step = 8 / (curve.poles.size() - 1.0);
+      if (rational && one_in(2)) law.weights = curve.weights;
+      const double least = 1 + noise(0.5), step = 8 / (static_cast<double>(curve.poles.size()) - 1);
       for (std::size_t i = 0; i < curve.poles.size(); ++i) {
         law.poles.push_back({std::abs(least + noise(steepness * step))});
       }

@@ -74,7 +74,8 @@ TEST_CASE("The hyperbolic paraboloid z = x y and its offsets", "[ruled_surface]"
 }
 
 TEST_CASE("The hyperboloid between two turned circles", "[ruled_surface]") {
-  // Rulings from angle a at z = -2 to a + 90 degrees at z = 2: x^2 + y^2 = 2 + z^2 / 2 for radius 2.
+  // Rulings from angle a at z = -2 to a + 90 degrees at z = 2: x^2 + y^2 = 2 + z^2 / 2 for
+  // radius 2.
   const PNSurface surface(ruled_surface(circle(2, 0, -2), circle(2, 1, 2)));
   for (const auto& [x, n] : samples(surface, 4)) {
     CHECK(x[0] * x[0] + x[1] * x[1] == Approx(2 + x[2] * x[2] / 2).epsilon(kRounding));
@@ -90,14 +91,15 @@ TEST_CASE("The hyperboloid between two turned circles", "[ruled_surface]") {
 
 TEST_CASE("Cones of revolution between the spheres of two lines", "[ruled_surface]") {
   // Every section touches the sphere of its t and v: x - d n - r n is the centre, on the rulings.
-  const Curve first = Curve::bezier({{0, 0, 0}, {6, 0, 1}}), second = Curve::bezier({{0, 4, 0}, {6, 4, 3}});
+  const Curve first = Curve::bezier({{0, 0, 0}, {6, 0, 1}}),
+              second = Curve::bezier({{0, 4, 0}, {6, 4, 3}});
   const PNSurface surface(
       cone_envelope(first, Law::bezier({1, 0.75}), second, Law::bezier({0.5, 0.5})));
   for (const double d : {0.0, 0.5}) {
     for (const auto& [x, n] : samples(surface.offset(d), 1)) {
       CHECK(std::hypot(n[0], n[1], n[2]) == Approx(1).epsilon(kRounding));
-      // At parameter t the centre is (6 t, 4 v, t + 2 t v) and the radius 1 - t / 4 - v (1/2 - t / 4).
-      // From x = centre + (r + d) n two coordinates give t and v, the third is the check.
+      // At parameter t the centre is (6 t, 4 v, t + 2 t v) and the radius 1 - t / 4 - v (1/2 - t /
+      // 4). From x = centre + (r + d) n two coordinates give t and v, the third is the check.
       double t = 0.5, v = 0.5;
       for (int step = 0; step < 60; ++step) {
         const double r = 1 - t / 4 - v * (0.5 - t / 4) + d;
@@ -111,8 +113,9 @@ TEST_CASE("Cones of revolution between the spheres of two lines", "[ruled_surfac
 }
 
 TEST_CASE("Cones of equal spheres are the offset of the ruled surface", "[ruled_surface]") {
-  const Curve a = Curve::bezier(kCubic),
-              b = mapped(kCubic, [](const Point& p) { return Point{p[0], p[1] + 4, p[0] / 2}; });
+  const Curve a = Curve::bezier(kCubic), b = mapped(kCubic, [](const Point&p) {
+                                           return Point{p[0], p[1] + 4, p[0] / 2};
+                                         });
   const Law half = Law::constant(0.5);
   const auto offset = PNSurface(ruled_surface(a, b)).offset(0.5).faces(Lines::kEven);
   const auto cones = PNSurface(cone_envelope(a, half, b, half)).faces(Lines::kEven);
@@ -222,7 +225,8 @@ TEST_CASE("Curves that are one, that meet, or that stand still are refused", "[r
                 Curve::bspline({1, {3, 7}, {2, 2}, {{0, 0, 0}, {1, 0, 0}}, {}})) ==
         ErrorCode::kIdenticalCurves);
   const auto meeting = [](double from, double to) {
-    return refusal(Curve::bezier({{0, 0, 0}, {2, 0, 0}}), Curve::bezier({{0, from, 0}, {2, to, 0}}));
+    return refusal(Curve::bezier({{0, 0, 0}, {2, 0, 0}}),
+                   Curve::bezier({{0, from, 0}, {2, to, 0}}));
   };
   CHECK(meeting(0, 1) == ErrorCode::kCurvesMeet);
   CHECK(meeting(1, 0) == ErrorCode::kCurvesMeet);

@@ -43,8 +43,7 @@ TEST_CASE("The target lines are normals of weight 1 beyond both directrices", "[
     CHECK((normal_of(low) - band_normal(rulings, t, 0)).norm() < 1e-10);
     CHECK((normal_of(high) - band_normal(rulings, t, 1)).norm() < 1e-10);
     // The short arc: the weight in its middle is the cosine of half the angle between the normals.
-    const double cosine =
-        std::sqrt((1 + normal_of(a.col(0)).dot(normal_of(a.col(1)))) / 2);
+    const double cosine = std::sqrt((1 + normal_of(a.col(0)).dot(normal_of(a.col(1)))) / 2);
     CHECK(a.col(0).dot(a.col(1)).real() == Approx(cosine));
   }
 }
@@ -65,15 +64,14 @@ TEST_CASE("A directrix lies where its tangent is orthogonal to the normal", "[ru
         return c[0](t) * u(0) * v(0) + c[1](t) * (u(0) * v(1) + u(1) * v(0)) +
                c[2](t) * u(1) * v(1);
       };
-      for (const double q : {value(f.col(0), f.col(0)), value(f.col(0), f.col(1)),
-                             value(f.col(1), f.col(1))}) {
+      for (const double q :
+           {value(f.col(0), f.col(0)), value(f.col(0), f.col(1)), value(f.col(1), f.col(1))}) {
         there.coefficient.push_back(Form<double>::constant(q));
       }
       const double s = band_parameter(there, t);
       CHECK(s > 0);
       CHECK(s < 1);
-      const Eigen::Vector3d n =
-          normal_of(a.col(0) * (1 - s) + a.col(1) * s);
+      const Eigen::Vector3d n = normal_of(a.col(0) * (1 - s) + a.col(1) * s);
       CHECK((n - band_normal(rulings_of(gamma), t, static_cast<double>(side))).norm() < 1e-10);
     }
   }

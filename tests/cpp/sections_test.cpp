@@ -36,8 +36,16 @@ std::vector<Directrices> awkward_rulings() {
   second.centre[0] += RationalPolynomial(4L);
   second.centre[2] += polynomial({0, 3});
   second.radius = polynomial({4, -2});
-  return {random.lines(2, 3), random.lines(2, 2, polynomial({2, -1, 1}), polynomial({3, 1, 1})),
-          torsal, {first, second}};
+  Directrices rational = random.lines(2, 2, polynomial({2, -1, 1}), polynomial({3, 1, 1})),
+              cones = rational;
+  cones[0].radius = polynomial({9, 1, 2});
+  cones[1].radius = polynomial({8, -2, 1});
+  // D has a root on each side of [0, 1]: the denominator of the substitution is no constant.
+  SphereCurve between = first;
+  between.centre[0] += RationalPolynomial(4L);
+  between.centre[2] += polynomial({1, 2});
+  between.radius = polynomial({1, 4});
+  return {random.lines(2, 3), rational, cones, torsal, {first, second}, {first, between}};
 }
 
 }  // namespace
@@ -86,13 +94,13 @@ TEST_CASE("Sections on an interval are those of the whole, at their scale", "[se
       for (auto& entry : row) entry = entry.on_interval(ComplexBall(origin), ComplexBall(length));
     }
     const auto whole = sections(gamma.carrier, isotropic_vector<RealBall>(gamma.spinor));
-    const auto part = sections(on_interval(gamma.carrier, origin, length),
-                               isotropic_vector<RealBall>(spinor));
+    const auto part =
+        sections(on_interval(gamma.carrier, origin, length), isotropic_vector<RealBall>(spinor));
     const RealBall t = origin + length * local, u0(0.8), u1(0.6);
     const auto check = [&](const FormInU<RealBall>& a, const FormInU<RealBall>& b) {
       const RealBall value = jet(a, t, u0, u1).value;
-      CHECK(encloses_zero(value - jet(b, local, u0, u1).value,
-                          1e-9 * (1 + value.magnitude_upper())));
+      CHECK(
+          encloses_zero(value - jet(b, local, u0, u1).value, 1e-9 * (1 + value.magnitude_upper())));
     };
     check(whole.weight, part.weight);
     for (std::size_t i = 0; i < 3; ++i) {

@@ -58,8 +58,7 @@ inline void check_identities(const HomogeneousSections<RealBall>& forms, const R
         return a + RealBall(distance) * b;
       };
       const RealBall x = section(p.value, v.value);
-      const RealBall x_t =
-          (section(p.along, v.along) * weight.value - x * weight.along) / square;
+      const RealBall x_t = (section(p.along, v.along) * weight.value - x * weight.along) / square;
       const RealBall x_u =
           (section(p.around, v.around) * weight.value - x * weight.around) / square;
       along += n[i] * x_t;

@@ -84,9 +84,9 @@ TEST_CASE("Across a torsal ruling the sections stay regular and the ruling is a 
         REQUIRE_FALSE(weight.contains_zero());
         const auto at = contact(forms, t, u0, u1);
         // y : z = 4 : z(t*), x free.
-        CHECK(encloses_zero(at.point[2] * RealBall(4) -
-                                at.point[1] * RealBall(lines[1].centre[2](root), 192),
-                            1e-9 * (1 + at.point[1].magnitude_upper())));
+        CHECK(encloses_zero(
+            at.point[2] * RealBall(4) - at.point[1] * RealBall(lines[1].centre[2](root), 192),
+            1e-9 * (1 + at.point[1].magnitude_upper())));
         along_ruling.push_back((at.point[1] / RealBall(4)).midpoint());
         check_identities(forms, t, u0, u1);
       }

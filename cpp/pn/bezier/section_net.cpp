@@ -398,6 +398,12 @@ RoundedFace rounded(const FaceNet& face, double exact_distance) {
   }
   delta += largest.pole;
   const double epsilon = std::numeric_limits<double>::epsilon() + 2 * largest.weight;
+  // The theorem asks for eps < 1: rows whose weights differ by more do not make one edge.
+  if (!(epsilon < 1)) {
+    throw GeometryError(ErrorCode::kWeightsNotPositive,
+                        "Neighbouring faces do not meet with the same weights; divide the input "
+                        "into separate parts.");
+  }
   const double diameter = active_diameter(surface) + 2 * delta;
   const double deviation = (delta + epsilon / (1 - epsilon) * diameter) * kRoundingOfBounds;
   return {std::move(surface), deviation};

@@ -225,20 +225,23 @@ RationalPolynomial minkowski_square(const Vector4& m) {
 /// Where a', g and g' are dependent, and where their normal is isotropic and that of the wanted
 /// sheet.
 std::vector<RealBall> torsal_roots(const Rulings& rulings, const RulingForms<double>& forms,
-                                   const SpanPlace& place, long precision) {
+                                   const LocalParameter& parameter, const SpanPlace& place,
+                                   long precision) {
   constexpr double kAside = 1e-4;
   const RulingNormal normal = ruling_normal(rulings);
   const Vector4& m = normal.coprime;
   const auto is_of_wanted_sheet = [&](const RealBall& root) {
     const Rational t = Rational::exactly(root.midpoint());
     const Vector3d n(m[0](t).to_double(), -m[1](t).to_double(), m[2](t).to_double());
-    const double beside = root.midpoint() + (root.midpoint() < 0.5 ? kAside : -kAside);
+    const double local = parameter.local_of(root).midpoint();
+    const double beside = local + (local < 0.5 ? kAside : -kAside);
     return n.dot(band_normal(forms, beside, 0.5)) * m[3](t).sign() > 0;
   };
   std::vector<RealBall> roots = roots_on_span(normal.common, place, precision);
   for (const RealBall& root : roots_on_span(minkowski_square(m), place, precision)) {
     if (is_of_wanted_sheet(root)) roots.push_back(root);
   }
+  for (RealBall& root : roots) root = parameter.local_of(root);
   return roots;
 }
 
@@ -353,7 +356,7 @@ LocalForms local_forms(const Rulings& rulings, const std::array<SphereCurve, 2>&
   f.directrices = {curve_forms(directrices[0], t), curve_forms(directrices[1], t)};
   f.scale = Form<RealBall>::constant(RealBall(1));
   f.torsal_roots = torsal_roots(
-      rulings, std::get<RulingForms<double>>(midpoint(Carrier<RealBall>(f))), place, precision);
+      rulings, std::get<RulingForms<double>>(midpoint(Carrier<RealBall>(f))), t, place, precision);
   f.degree = t.is_substituted() ? 2 * a.denominator.degree() + g.level.degree() - 2
                                 : excess_degree(rulings);
   for (const DoubleRoots::Real& root : family.roots.real) {

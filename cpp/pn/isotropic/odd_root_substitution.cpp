@@ -67,6 +67,12 @@ class Substitution : public LocalParameter {
   }
 
   bool is_substituted() const override { return true; }
+  RealBall local_of(const RealBall& t) const override {
+    if (t.is_zero() || (t - RealBall(1)).is_zero()) return t;
+    const Place p = at(t);
+    return (p.s * start_.sigma - p.sigma * start_.s) /
+           (p.sigma * (end_.s - start_.s) - p.s * (end_.sigma - start_.sigma));
+  }
 
   DoubleRoots roots(const RootSet& in_t, int formal_degree) const;
 
@@ -181,6 +187,7 @@ class Identity : public LocalParameter {
     return Form<RealBall>(std::move(result));
   }
   bool is_substituted() const override { return false; }
+  RealBall local_of(const RealBall& t) const override { return t; }
 
  private:
   long precision_;

@@ -44,6 +44,8 @@ class LocalParameter {
   /// p(t), taken at this formal degree, in the local parameter.
   virtual Form<RealBall> form(const RationalPolynomial& p, int degree) const = 0;
   virtual bool is_substituted() const = 0;
+  /// The local parameter of t, which lies between the adjacent odd roots; exact at 0 and 1.
+  virtual RealBall local_of(const RealBall& t) const = 0;
 };
 
 struct LocalFamily {

@@ -143,7 +143,7 @@ HomogeneousSections<T> sections(const RulingForms<T>& f, const IsotropicVector<T
     return f.scale * divided_by_roots(divided_by_roots(truncated(form, degree), f.common_roots),
                                       f.torsal_roots);
   };
-  const FormInU<T> along = f.radius * q - f.level * p;
+  const FormInU<T> along = f.radius * weight - f.level * p;
   HomogeneousSections<T> result;
   result.weight = reduced(f.denominator * (weight * w[3]));
   for (std::size_t i = 0; i < 3; ++i) {

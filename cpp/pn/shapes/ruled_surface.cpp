@@ -290,16 +290,7 @@ Joint joint_of(const Extent& extent, const Span& left, const Span& right) {
   return std::holds_alternative<Strip>(extent) ? Joint::kTangent : joint;
 }
 
-/// Across the joints of cones the sections of neighbours do not meet with the same weights yet.
-void require_one_span_of_cones(const std::vector<Span>& spans) {
-  if (spans.size() == 1 || std::all_of(spans.begin(), spans.end(), is_line_family)) return;
-  throw GeometryError(ErrorCode::kRegionUnsupported,
-                      "Envelopes of cones are made over one span at a time: these have " +
-                          std::to_string(spans.size()) + ", divided by knots or torsal rulings.");
-}
-
 EnvelopeChain chain_of(std::vector<Span> unscaled) {
-  require_one_span_of_cones(unscaled);
   const std::vector<Span> spans = continued(std::move(unscaled));
   EnvelopeChain chain;
   chain.extent = extent_of(spans);
