@@ -235,11 +235,11 @@ int room_for_lines(const Envelope& envelope) {
 }
 
 /// How the lines of a band are tried: the degree of F, the margin beyond the directrices as a part
-/// of the arc between their normals, and whether segments may be halved.
+/// of the arc between their normals, and how often segments may be halved.
 struct BandAttempt {
   int lines_degree;
   double margin;
-  bool halves;
+  int halvings;
   double least_weight_ratio;  ///< within a segment
 };
 
@@ -247,30 +247,33 @@ struct BandAttempt {
 constexpr double kLeastRatioOfLongRulings = 1e-4;
 
 /// From few poles and little to trim away to what always ends well.
-constexpr std::array<BandAttempt, 9> kBandAttempts = {{{0, 0.1, false, kLeastWeightRatio},
-                                                       {1, 0.1, false, kLeastWeightRatio},
-                                                       {1, 0.3, false, kLeastWeightRatio},
-                                                       {2, 0.1, false, kLeastWeightRatio},
-                                                       {2, 0.3, false, kLeastWeightRatio},
-                                                       {2, 0.1, true, kLeastWeightRatio},
-                                                       {2, 0.1, true, kLeastRatioOfLongRulings},
-                                                       {2, 0.01, true, kLeastRatioOfLongRulings},
-                                                       {2, 1.0, true, kLeastRatioOfLongRulings}}};
+constexpr std::array<BandAttempt, 9> kBandAttempts = {
+    {{0, 0.1, 0, kLeastWeightRatio},
+     {1, 0.1, 0, kLeastWeightRatio},
+     {1, 0.3, 0, kLeastWeightRatio},
+     {2, 0.1, 0, kLeastWeightRatio},
+     {2, 0.3, 0, kLeastWeightRatio},
+     {2, 0.1, kMostHalvings, kLeastWeightRatio},
+     {2, 0.1, kMostHalvings, kLeastRatioOfLongRulings},
+     {2, 0.01, kMostHalvings, kLeastRatioOfLongRulings},
+     {2, 1.0, kMostHalvings, kLeastRatioOfLongRulings}}};
 
-/// How the lines of a region are tried: the degree of F over arcs, how they follow the region, and
-/// whether segments may be halved.
+/// How the lines of a region are tried: the degree of F over arcs, which arcs of the circles they
+/// take and how far beyond, and how often segments may be halved.
 struct RegionAttempt {
   int lines_degree;
-  RegionPursuit pursuit;
-  bool halves;
+  ArcOf (*arc)(const RegionCircles&);
+  double margin;
+  int halvings;
 };
 
-/// Constant lines first, which have the least degree.
-constexpr std::array<RegionAttempt, 5> kRegionAttempts = {{{0, {1, 0.01}, false},
-                                                           {1, {0.125, 0.05}, false},
-                                                           {2, {0.125, 0.05}, false},
-                                                           {2, {0.125, 0.05}, true},
-                                                           {2, {0.03, 0.02}, true}}};
+/// From few poles to what always ends well.
+constexpr std::array<RegionAttempt, 6> kRegionAttempts = {{{0, constant_arc, 0.01, 0},
+                                                           {1, tapering_arc, 0.02, 0},
+                                                           {1, tapering_arc, 0.08, 0},
+                                                           {2, following_arc, 0.05, 0},
+                                                           {2, following_arc, 0.05, 3},
+                                                           {2, closely_following_arc, 0.02, 4}}};
 
 /// Weights over a region may vary by this factor, as between a vertex and far points.
 constexpr double kLeastRatioOfRegions = 2e-3;
@@ -360,7 +363,7 @@ class Planner {
       segments_ = whole_links(Around::kArc, [&](std::size_t) { return degree; });
       do {
         if (is_band_covered(attempt.least_weight_ratio)) return;
-      } while (attempt.halves && halve_bad_segments());
+      } while (halve_bad_segments(attempt.halvings));
     }
     throw GeometryError(ErrorCode::kWeightsNotPositive,
                         "No patches with positive weights were found along the rulings; divide the "
@@ -371,11 +374,12 @@ class Planner {
     const auto& region = std::get<BoundedRegion>(chain_.extent);
     const RegionCircles circles = region_circles(region, estimates_.front());
     for (const RegionAttempt& attempt : kRegionAttempts) {
-      target_ = std::make_unique<RegionLines>(estimates_.front(), circles, attempt.pursuit);
+      target_ = std::make_unique<RegionLines>(estimates_.front(), circles, attempt.arc(circles),
+                                              attempt.margin);
       segments_ = region_parts(circles, std::min(attempt.lines_degree, room(0)));
       do {
         if (is_region_covered(circles.boundary)) return;
-      } while (attempt.halves && halve_bad_segments());
+      } while (halve_bad_segments(attempt.halvings));
     }
     throw GeometryError(ErrorCode::kWeightsNotPositive,
                         "No patches with positive weights were found over the region; divide it "
@@ -438,7 +442,8 @@ class Planner {
     bool changed = false;
     std::vector<Segment> refined;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
-      const bool is_uneven = ranges[i].least <= least && can_be_refined(segments_[i]);
+      const bool is_uneven =
+          ranges[i].least <= least && can_be_refined(segments_[i], kMostHalvings);
       changed = changed || is_uneven;
       const std::vector<Segment> parts =
           is_uneven ? refinement(segments_[i]) : std::vector<Segment>{segments_[i]};
@@ -462,10 +467,10 @@ class Planner {
     return is_torsal ? segment.begin + length * 7 / 16 : middle;
   }
 
-  bool can_be_refined(const Segment& segment) const {
+  bool can_be_refined(const Segment& segment, int most_halvings) const {
     const double cut = cut_of(segment);
     const bool has_cut = segment.begin < cut && cut < segment.end;
-    return has_cut && segment.halvings < kMostHalvings && room(segment.link) > 0;
+    return has_cut && segment.halvings < most_halvings && room(segment.link) > 0;
   }
 
   /// Finds the segments of a band that do not reach its directrices or have uneven weights.
@@ -554,12 +559,12 @@ class Planner {
     return true;
   }
 
-  bool halve_bad_segments() {
+  bool halve_bad_segments(int most_halvings) {
     bool changed = false;
     std::vector<Segment> refined;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       const Segment& segment = segments_[i];
-      if (bad_[i] && can_be_refined(segment)) {
+      if (bad_[i] && can_be_refined(segment, most_halvings)) {
         const auto parts = halves(segment, cut_of(segment),
                                   segment.lines_degree == 3 ? Joint::kSmooth : Joint::kTangent);
         refined.insert(refined.end(), parts.begin(), parts.end());

@@ -127,15 +127,20 @@ std::vector<BoundaryPlace> beyond_gap(std::vector<BoundaryPlace> places, const H
   return places;
 }
 
-std::vector<BoundaryPlace> places_from(const std::vector<std::vector<AngleWalk::Step>>& walks,
-                                       double low) {
+std::vector<BoundaryPlace> places_on(const std::vector<std::vector<AngleWalk::Step>>& walks) {
   std::vector<BoundaryPlace> places;
   for (const auto& walk : walks) {
-    for (const auto& step : walk) {
-      if (step.t >= low) places.push_back({step.t, step.angle});
-    }
+    for (const auto& step : walk) places.push_back({step.t, step.angle});
   }
   return places;
+}
+
+/// The places beyond a circle.
+std::vector<BoundaryPlace> from(const std::vector<BoundaryPlace>& places, double t) {
+  std::vector<BoundaryPlace> result;
+  std::copy_if(places.begin(), places.end(), std::back_inserter(result),
+               [&](const BoundaryPlace& place) { return place.t >= t; });
+  return result;
 }
 
 Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
@@ -194,6 +199,19 @@ double last_whole_circle(const IsotropicHypersurface<double>& gamma, double low,
   return high;
 }
 
+/// Beside the larger part of the circle a gap of this width leaves the smaller one even enough.
+constexpr double kWideGap = 1;
+
+/// The first circle beyond which the boundary leaves a wide gap, `last` if none does.
+double first_with_wide_gap(const std::vector<BoundaryPlace>& places, double low, double last) {
+  constexpr int kSteps = 32;
+  for (int i = 1; i < kSteps; ++i) {
+    const double t = low + (last - low) * i / kSteps;
+    if (widest_gap(from(places, t)).width() > kWideGap) return t;
+  }
+  return last;
+}
+
 /// Arcs of more than this leave no room for lines beside them; such a region takes whole circles
 /// where it can.
 constexpr double kWidestArc = M_PI - 0.5;
@@ -202,6 +220,54 @@ constexpr double kWidestArc = M_PI - 0.5;
 constexpr double kLeastArc = 0.1;
 /// A margin takes this part of what the region leaves of the circle, at most.
 constexpr double kMostOfGap = 0.25;
+
+/// The boundary within `reach` of a circle.
+CircleArc arc_near(const std::vector<BoundaryPlace>& boundary, double t, double reach) {
+  Hull near, all;
+  for (const BoundaryPlace& place : boundary) {
+    all.add(place.angle);
+    if (std::abs(place.t - t) <= reach) near.add(place.angle);
+  }
+  if (near.width() < 0) near = all;
+  const double missing = std::max(0.0, kLeastArc * all.width() - near.width());
+  near = near.widened(missing / 2);
+  return {near.low, near.high};
+}
+
+ArcOf arc_within(const RegionCircles& circles, double window) {
+  const double reach = window * (circles.high - circles.low);
+  return [=, boundary = circles.boundary](double t) { return arc_near(boundary, t, reach); };
+}
+
+/// A line over t.
+struct Line {
+  double origin, value, slope;
+  double operator()(double t) const { return value + slope * (t - origin); }
+};
+
+/// The line above all places that is lowest in the middle: it goes through two places, one on each
+/// side, or through a single one in the middle.
+Line supporting_line(const std::vector<BoundaryPlace>& places, double middle) {
+  // The slope is right when the highest places over it lie on both sides of the middle.
+  const auto highest = [&](double slope) {
+    return *std::max_element(places.begin(), places.end(),
+                             [&](const BoundaryPlace& a, const BoundaryPlace& b) {
+                               return a.angle - slope * a.t < b.angle - slope * b.t;
+                             });
+  };
+  constexpr int kBisections = 40;
+  double steepest = 1 << 20, slope = 0;
+  for (int i = 0; i < kBisections; ++i, steepest /= 2) {
+    slope += highest(slope).t > middle ? steepest / 2 : -steepest / 2;
+  }
+  const BoundaryPlace place = highest(slope);
+  return {place.t, place.angle, slope};
+}
+
+std::vector<BoundaryPlace> upside_down(std::vector<BoundaryPlace> places) {
+  for (BoundaryPlace& place : places) place.angle = -place.angle;
+  return places;
+}
 
 GeometryError too_far() {
   return {ErrorCode::kRegionUnsupported,
@@ -224,7 +290,7 @@ bool is_bounded_by_parallels(const BoundedRegion& region) {
 RegionCircles region_circles(const BoundedRegion& region,
                              const IsotropicHypersurface<double>& gamma) {
   const auto loops = walks(region, gamma.spinor);
-  const std::vector<BoundaryPlace> everywhere = places_from(loops, 0);
+  const std::vector<BoundaryPlace> everywhere = places_on(loops);
   Hull t;
   for (const BoundaryPlace& place : everywhere) t.add(place.t);
   if (!is_bounded_by_parallels(region)) t = t.widened(kMargin * t.width());
@@ -237,17 +303,33 @@ RegionCircles region_circles(const BoundedRegion& region,
   const bool has_gap = !everywhere.empty() && widest_gap(everywhere).width() > M_PI - kWidestArc;
   circles.is_closed = surrounds || (!has_gap && whole == circles.high);
   if (circles.is_closed && whole == circles.high) return circles;
-  if (circles.is_closed) circles.split = whole;
-  const auto places = places_from(loops, circles.split.value_or(0));
+  if (circles.is_closed) circles.split = first_with_wide_gap(everywhere, circles.low, whole);
+  const auto places = from(everywhere, circles.split.value_or(0));
   const Hull gap = widest_gap(places);
   if (gap.width() < kLeastArc) throw too_far();
   circles.boundary = beyond_gap(places, gap);
   return circles;
 }
 
-RegionLines::RegionLines(IsotropicHypersurface<double> gamma, RegionCircles circles,
-                         RegionPursuit pursuit)
-    : gamma_(std::move(gamma)), circles_(std::move(circles)), pursuit_(pursuit) {
+ArcOf constant_arc(const RegionCircles& circles) { return arc_within(circles, 1); }
+
+ArcOf tapering_arc(const RegionCircles& circles) {
+  const double low = circles.split.value_or(circles.low), middle = (low + circles.high) / 2;
+  const Line above = supporting_line(circles.boundary, middle),
+             below = supporting_line(upside_down(circles.boundary), middle);
+  return [=](double t) { return CircleArc{-below(t), above(t)}; };
+}
+
+ArcOf following_arc(const RegionCircles& circles) { return arc_within(circles, 0.1); }
+
+ArcOf closely_following_arc(const RegionCircles& circles) { return arc_within(circles, 0.03); }
+
+RegionLines::RegionLines(IsotropicHypersurface<double> gamma, RegionCircles circles, ArcOf arc,
+                         double margin)
+    : gamma_(std::move(gamma)),
+      circles_(std::move(circles)),
+      arc_(std::move(arc)),
+      margin_(margin) {
   choose_signs(1);
 }
 
@@ -256,18 +338,12 @@ Matrix2d RegionLines::factor(std::size_t, double place) const {
     const double middle = (circles_.low + circles_.high) / 2;
     return even_lines(gamma_.circles, value_at(gamma_.spinor, middle), middle);
   }
-  const double t = std::clamp(place, circles_.split.value_or(circles_.low), circles_.high);
-  const double reach = pursuit_.window * (circles_.high - circles_.low);
-  Hull arc, widest;
-  for (const BoundaryPlace& near : circles_.boundary) {
-    widest.add(near.angle);
-    if (std::abs(near.t - t) <= reach) arc.add(near.angle);
-  }
-  if (arc.width() < 0) arc = widest;
-  const double missing = std::max(0.0, kLeastArc * widest.width() - arc.width());
-  arc = arc.widened(missing / 2);
-  arc = arc.widened(std::min(pursuit_.margin * arc.width(), kMostOfGap * (M_PI - arc.width())));
-  const Matrix2cd a = value_at(gamma_.spinor, t);
+  const double start = circles_.split.value_or(circles_.low);
+  const auto [low, high] = arc_(std::clamp(place, start, circles_.high));
+  const double margin = std::min(margin_ * (high - low), kMostOfGap * (M_PI - (high - low)));
+  const Hull arc{low - margin, high + margin};
+  // On one circle for all: then the directions of linear lines turn evenly between their ends.
+  const Matrix2cd a = value_at(gamma_.spinor, (start + circles_.high) / 2);
   return circles_.split ? larger_part_between(a, arc) : directions(a, arc);
 }
 

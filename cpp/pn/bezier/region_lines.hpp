@@ -14,6 +14,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -46,22 +47,34 @@ bool is_bounded_by_parallels(const BoundedRegion& region);
 RegionCircles region_circles(const BoundedRegion& region,
                              const IsotropicHypersurface<double>& gamma);
 
-/// How the lines over arcs follow the region.
-struct RegionPursuit {
-  double window;  ///< they hold what of it lies this part of its length ahead and behind; 1: all
-  double margin;  ///< beyond its boundary, as a part of the arc
+/// An arc of a circle that holds what a region has of it: the angles of its ends.
+struct CircleArc {
+  double low, high;
 };
+
+/// The arcs of all circles, by their parameter.
+using ArcOf = std::function<CircleArc(double t)>;
+
+/// The same for all circles, for constant lines.
+ArcOf constant_arc(const RegionCircles& circles);
+/// Between the lines that support the boundary in its middle, for linear lines.
+ArcOf tapering_arc(const RegionCircles& circles);
+/// What lies a tenth of the region's length ahead and behind, or a thirtieth.
+ArcOf following_arc(const RegionCircles& circles);
+ArcOf closely_following_arc(const RegionCircles& circles);
 
 class RegionLines : public TargetLines {
  public:
-  RegionLines(IsotropicHypersurface<double> gamma, RegionCircles circles, RegionPursuit pursuit);
+  /// `margin` goes beyond the boundary, as a part of the arc.
+  RegionLines(IsotropicHypersurface<double> gamma, RegionCircles circles, ArcOf arc, double margin);
 
  private:
   Eigen::Matrix2d factor(std::size_t link, double t) const override;
 
   IsotropicHypersurface<double> gamma_;
   RegionCircles circles_;
-  RegionPursuit pursuit_;
+  ArcOf arc_;
+  double margin_;
 };
 
 }  // namespace pn

@@ -430,7 +430,7 @@ std::vector<FaceChoice> face_choices(const Extent& extent) {
   std::vector<FaceChoice> choices;
   for (int factor = 1; factor <= kMostFactor; factor *= 2) {
     if (std::holds_alternative<BoundedRegion>(extent)) {
-      choices.insert(choices.end(), {{factor, factor}, {factor, 2 * factor}});
+      choices.insert(choices.end(), {{factor, factor}, {factor, 2 * factor}, {2 * factor, factor}});
     } else {
       choices.push_back({factor, 1});
     }
