@@ -197,9 +197,7 @@ SignedDistance distance_from(const BezierRuled& ruled) {
 }
 
 SignedDistance distance_from(const QuadricCase& quadric) {
-  return [surface = implicit(quadric)](const Point& p) {
-    return surface.signed_distance(p);
-  };
+  return [surface = implicit(quadric)](const Point& p) { return surface.signed_distance(p); };
 }
 
 SignedDistance distance_from(const OffsetBase& base) {

@@ -98,11 +98,11 @@ def many_spans(entries, family, title):
     print_table(title, [*header, "peak kB/span", "poles/span"], rows)
 
 
-def cell(entry, value):
-    """What `value` makes of an entry, if there is one that did not fail."""
+def cell(entry, form, value):
+    """A number of an entry, if there is one that did not fail."""
     if entry is None:
         return "-"
-    return "failed" if failed(entry) else value(entry)
+    return "failed" if failed(entry) else form.format(value(entry))
 
 
 def offset_steps(entries):
@@ -115,13 +115,14 @@ def offset_steps(entries):
         rows.append(
             [
                 case,
-                *(cell(runs.get(step), lambda entry: f"{milliseconds(entry):.3f}") for step in steps),
-                cell(whole, lambda entry: f"{entry['poles']:.0f}"),
-                cell(whole, lambda entry: f"{entry['stated_deviation']:.1e}"),
-                cell(edges, lambda entry: f"{entry['trim_deviation']:.1e}"),
+                *(cell(runs.get(step), "{:.3f}", milliseconds) for step in steps),
+                cell(whole, "{:.0f}", lambda entry: entry["poles"]),
+                cell(whole, "{:.1e}", lambda entry: entry["stated_deviation"]),
+                cell(edges, "{:.1e}", lambda entry: entry["trim_deviation"]),
             ]
         )
-    header = ["", *(step.replace("_", " ") for step in steps), "poles", "proven, mm", "edges off, mm"]
+    names = [step.replace("_", " ") for step in steps]
+    header = ["", *names, "poles", "proven, mm", "edges off, mm"]
     print_table("Offsets by steps, ms", header, rows)
 
 
@@ -141,8 +142,9 @@ def ratio(entry, exact, value):
 
 
 def read_back(entry):
-    faces = entry["read_faces"]
-    return f"{faces:.0f} of {entry['faces']:.0f}, {entry['read_deviation']:.1e}" if faces else "LOST"
+    if entry["read_faces"] == 0:
+        return "LOST"
+    return f"{entry['read_faces']:.0f} of {entry['faces']:.0f}, {entry['read_deviation']:.1e}"
 
 
 def side_by_side_row(entry, exact):
@@ -170,10 +172,9 @@ def side_by_side_row(entry, exact):
     ]
 
 
-def side_by_side(entries, case, title):
+def side_by_side(runs, title):
     """One case, ours and OpenCASCADE's; ratios are theirs over ours. Stated is the deviation that
     the maker gives: ours proven, OpenCASCADE's estimated."""
-    runs = below(entries, case)
     exact = runs.get("exact")
     rows = [side_by_side_row(entry, exact) for entry in runs.values()]
     print_table(title, [*SIDE_BY_SIDE, "faces read back, mm"], rows)
@@ -185,7 +186,7 @@ def offset_side_by_side(entries, case):
     shape = f": {whole['label']}" if whole else ""
     poles = {"poles": {**whole, "label": "PN Surfaces, poles only"}} if whole else {}
     runs = {**poles, **below(entries, f"offset_case/{case}")}
-    side_by_side({f"{case}/{way}": entry for way, entry in runs.items()}, case, f"Case {case}{shape}")
+    side_by_side(runs, f"Case {case}{shape}")
 
 
 def main(path):
@@ -201,8 +202,8 @@ def main(path):
     many_spans(entries, "many_spans", "Canal surface along a cubic C2 B-spline")
     many_spans(entries, "many_ruled_spans", "Offset of a ruled surface between cubic C2 B-splines")
     offset_steps(entries)
-    side_by_side(entries, "case_c1", "Case C1: constant radius along a cubic")
-    side_by_side(entries, "case_c2", "Case C2: cubic radius along a cubic")
+    side_by_side(below(entries, "case_c1"), "Case C1: constant radius along a cubic")
+    side_by_side(below(entries, "case_c2"), "Case C2: cubic radius along a cubic")
     for case in cases(entries, "offset_case"):
         offset_side_by_side(entries, case)
 
