@@ -199,6 +199,24 @@ class Regions(QuadricOffsetTest):
                 self.assertAlmostEqual(min(heights), low, delta=1e-9)
                 self.assertAlmostEqual(max(heights), high, delta=1e-9)
 
+    def test_two_parts_are_two_shells_or_two_walls(self):
+        """Above and below a rectangle an ellipsoid has two parts that mirror each other."""
+        region = {"x": (-10, 10), "y": (-6, 6)}
+        caps = make_quadric_offset("Ellipsoid", 20, 15, 10, 1, bounds=region)
+        self.assert_valid(caps)
+        self.assertEqual([len(shell.Faces) for shell in caps.Shape.Shells], [1, 1])
+        one, other = ([v.Z for v in shell.Vertexes] for shell in caps.Shape.Shells)
+        self.assertAlmostEqual(min(one), -max(other), delta=1e-9)
+        self.assertGreater(min(one) * -max(other), 0)
+        walls = make_quadric_offset(
+            "Ellipsoid", 20, 15, 10, 1, bounds=region, Sides="Both sides", Output="Solid"
+        )
+        self.assert_valid(walls)
+        volumes = [solid.Volume for solid in walls.Shape.Solids]
+        self.assertEqual(len(volumes), 2)
+        self.assertAlmostEqual(volumes[0], volumes[1], delta=1e-6 * volumes[0])
+        self.assertGreater(volumes[0], 0)
+
     def test_angles_are_degrees_and_lengths_take_units(self):
         obj = make_quadric_offset(
             "Ellipsoid", 20, 15, 10, bounds={"z": (0, "0.5 cm"), "angle": (0, "0.25 rad")}
