@@ -141,6 +141,16 @@ Matrix<T> combination(std::initializer_list<std::pair<double, const Matrix<T>*>>
   return sum;
 }
 
+/// F at a parameter of the segment, nearly.
+template <class T>
+Eigen::Matrix2d value_at(const LineFactor<T>& factor, double t) {
+  Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+  for (std::size_t i = factor.coefficients.size(); i-- > 0;) {
+    sum = sum * t + midpoint(factor.coefficients[i]);
+  }
+  return sum;
+}
+
 template <class T>
 LineFactor<T> constant_line(const Matrix<T>& value) {
   const LineEnd<T> end{value, scaled(value, T(0.0))};

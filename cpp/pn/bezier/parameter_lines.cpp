@@ -31,6 +31,7 @@ struct Segment {
   double begin, end;
   Rational origin, length;  ///< in the link's parameter on [0, 1]
   Joint joint_before;
+  Around around;
   int lines_degree;  ///< the largest degree that F may have
   int halvings = 0;
 
@@ -234,11 +235,11 @@ int room_for_lines(const Envelope& envelope) {
 }
 
 /// How the lines of a band are tried: the degree of F, the margin beyond the directrices as a part
-/// of the arc between their normals, and whether segments may be halved.
+/// of the arc between their normals, and how often segments may be halved.
 struct BandAttempt {
   int lines_degree;
   double margin;
-  bool halves;
+  int halvings;
   double least_weight_ratio;  ///< within a segment
 };
 
@@ -246,15 +247,36 @@ struct BandAttempt {
 constexpr double kLeastRatioOfLongRulings = 1e-4;
 
 /// From few poles and little to trim away to what always ends well.
-constexpr std::array<BandAttempt, 9> kBandAttempts = {{{0, 0.1, false, kLeastWeightRatio},
-                                                       {1, 0.1, false, kLeastWeightRatio},
-                                                       {1, 0.3, false, kLeastWeightRatio},
-                                                       {2, 0.1, false, kLeastWeightRatio},
-                                                       {2, 0.3, false, kLeastWeightRatio},
-                                                       {2, 0.1, true, kLeastWeightRatio},
-                                                       {2, 0.1, true, kLeastRatioOfLongRulings},
-                                                       {2, 0.01, true, kLeastRatioOfLongRulings},
-                                                       {2, 1.0, true, kLeastRatioOfLongRulings}}};
+constexpr std::array<BandAttempt, 9> kBandAttempts = {
+    {{0, 0.1, 0, kLeastWeightRatio},
+     {1, 0.1, 0, kLeastWeightRatio},
+     {1, 0.3, 0, kLeastWeightRatio},
+     {2, 0.1, 0, kLeastWeightRatio},
+     {2, 0.3, 0, kLeastWeightRatio},
+     {2, 0.1, kMostHalvings, kLeastWeightRatio},
+     {2, 0.1, kMostHalvings, kLeastRatioOfLongRulings},
+     {2, 0.01, kMostHalvings, kLeastRatioOfLongRulings},
+     {2, 1.0, kMostHalvings, kLeastRatioOfLongRulings}}};
+
+/// How the lines of a region are tried: the degree of F over arcs, which arcs of the circles they
+/// take and how far beyond, and how often segments may be halved.
+struct RegionAttempt {
+  int lines_degree;
+  ArcOf (*arc)(const RegionCircles&);
+  double margin;
+  int halvings;
+};
+
+/// From few poles to what always ends well.
+constexpr std::array<RegionAttempt, 6> kRegionAttempts = {{{0, constant_arc, 0.01, 0},
+                                                           {1, tapering_arc, 0.02, 0},
+                                                           {1, tapering_arc, 0.08, 0},
+                                                           {2, following_arc, 0.05, 0},
+                                                           {2, following_arc, 0.05, 3},
+                                                           {2, closely_following_arc, 0.02, 4}}};
+
+/// Weights over a region may vary by this factor, as between a vertex and far points.
+constexpr double kLeastRatioOfRegions = 2e-3;
 
 /// Places on a segment at which the lines of a band are compared with its directrices.
 constexpr int kBandSamples = 17;
@@ -274,6 +296,8 @@ class Planner {
   std::vector<LinedSegment> segments() {
     if (std::holds_alternative<RulingForms<double>>(estimates_.front().carrier)) {
       plan_band();
+    } else if (std::holds_alternative<BoundedRegion>(chain_.extent)) {
+      plan_region();
     } else {
       plan_circles();
     }
@@ -289,6 +313,7 @@ class Planner {
                    segment.begin,
                    segment.end,
                    segment.joint_before,
+                   segment.around,
                    midpoint(carrier),
                    sections(carrier, isotropic_vector<RealBall>(spinor)),
                    midpoint(spinor)};
@@ -299,13 +324,13 @@ class Planner {
  private:
   /// The links as segments with lines of these degrees.
   template <class DegreeOf>
-  std::vector<Segment> whole_links(DegreeOf&& degree_of) const {
+  std::vector<Segment> whole_links(Around around, DegreeOf&& degree_of) const {
     std::vector<Segment> segments;
     for (std::size_t i = 0; i < chain_.links.size(); ++i) {
       const ChainLink& link = chain_.links[i];
       const double begin = link.stands_still() ? 0 : link.begin;
       const double end = link.stands_still() ? 1 : link.end;
-      segments.push_back({i, begin, end, Rational(0), Rational(1), link.joint_before,
+      segments.push_back({i, begin, end, Rational(0), Rational(1), link.joint_before, around,
                           std::min(degree_of(i), room(i))});
     }
     // The last lines of a closed chain have to come back to the first.
@@ -322,7 +347,8 @@ class Planner {
 
   void plan_circles() {
     target_ = std::make_unique<ChainSeam>(chain_, estimates_);
-    segments_ = whole_links([&](std::size_t) { return lines_ == Lines::kEven ? 3 : 0; });
+    segments_ =
+        whole_links(Around::kCircle, [&](std::size_t) { return lines_ == Lines::kEven ? 3 : 0; });
     while (refine_uneven_segments()) {
     }
   }
@@ -334,14 +360,43 @@ class Planner {
     for (const BandAttempt& attempt : kBandAttempts) {
       const int degree = smooth && lines_ == Lines::kEven ? 3 : attempt.lines_degree;
       target_ = std::make_unique<BandLines>(estimates_, attempt.margin);
-      segments_ = whole_links([&](std::size_t) { return degree; });
+      segments_ = whole_links(Around::kArc, [&](std::size_t) { return degree; });
       do {
         if (is_band_covered(attempt.least_weight_ratio)) return;
-      } while (attempt.halves && halve_bad_segments());
+      } while (halve_bad_segments(attempt.halvings));
     }
     throw GeometryError(ErrorCode::kWeightsNotPositive,
                         "No patches with positive weights were found along the rulings; divide the "
                         "curves into shorter spans.");
+  }
+
+  void plan_region() {
+    const auto& region = std::get<BoundedRegion>(chain_.extent);
+    const RegionCircles circles = region_circles(region, estimates_.front());
+    for (const RegionAttempt& attempt : kRegionAttempts) {
+      target_ = std::make_unique<RegionLines>(estimates_.front(), circles, attempt.arc(circles),
+                                              attempt.margin);
+      segments_ = region_parts(circles, std::min(attempt.lines_degree, room(0)));
+      do {
+        if (is_region_covered(circles.boundary)) return;
+      } while (halve_bad_segments(attempt.halvings));
+    }
+    throw GeometryError(ErrorCode::kWeightsNotPositive,
+                        "No patches with positive weights were found over the region; divide it "
+                        "by heights, a box or sectors.");
+  }
+
+  /// Whole circles with constant lines, arcs with lines of this degree.
+  static std::vector<Segment> region_parts(const RegionCircles& circles, int lines_degree) {
+    const auto part = [](double begin, double end, Joint joint, Around around, int degree) {
+      const Rational origin = Rational::exactly(begin);
+      return Segment{0, begin, end, origin, Rational::exactly(end) - origin, joint, around, degree};
+    };
+    const auto& [low, high, is_closed, split, boundary] = circles;
+    if (!is_closed) return {part(low, high, Joint::kNone, Around::kArc, lines_degree)};
+    if (!split) return {part(low, high, Joint::kNone, Around::kHalves, 0)};
+    return {part(low, *split, Joint::kNone, Around::kUnequalParts, 0),
+            part(*split, high, Joint::kTangent, Around::kLargerPart, lines_degree)};
   }
 
   int room(std::size_t link) const { return room_for_lines(chain_.links[link].envelope); }
@@ -387,7 +442,8 @@ class Planner {
     bool changed = false;
     std::vector<Segment> refined;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
-      const bool is_uneven = ranges[i].least <= least && can_be_refined(segments_[i]);
+      const bool is_uneven =
+          ranges[i].least <= least && can_be_refined(segments_[i], kMostHalvings);
       changed = changed || is_uneven;
       const std::vector<Segment> parts =
           is_uneven ? refinement(segments_[i]) : std::vector<Segment>{segments_[i]};
@@ -411,10 +467,10 @@ class Planner {
     return is_torsal ? segment.begin + length * 7 / 16 : middle;
   }
 
-  bool can_be_refined(const Segment& segment) const {
+  bool can_be_refined(const Segment& segment, int most_halvings) const {
     const double cut = cut_of(segment);
     const bool has_cut = segment.begin < cut && cut < segment.end;
-    return has_cut && segment.halvings < kMostHalvings && room(segment.link) > 0;
+    return has_cut && segment.halvings < most_halvings && room(segment.link) > 0;
   }
 
   /// Finds the segments of a band that do not reach its directrices or have uneven weights.
@@ -434,6 +490,59 @@ class Planner {
     return std::none_of(bad_.begin(), bad_.end(), [](char bad) { return bad != 0; });
   }
 
+  /// Finds the segments of a region whose lines do not hold it or have uneven weights.
+  bool is_region_covered(const std::vector<BoundaryPlace>& boundary) {
+    const auto spinors = restricted_spinors<double>();
+    const auto factors = factors_for<double>(spinors);
+    bad_.assign(segments_.size(), 0);
+    for_each_index(segments_.size(), [&](std::size_t i) {
+      const auto w = isotropic_vector<double>(lined<double>(spinors[i], factors[i]));
+      const FormInU<double> weight = sections(estimated_carrier(segments_[i]), w).weight;
+      bad_[i] = !is_even(weight, segments_[i].around) || !holds(boundary, segments_[i], factors[i]);
+    });
+    return std::none_of(bad_.begin(), bad_.end(), [](char bad) { return bad != 0; });
+  }
+
+  /// Places on a segment, along and around, at which its weight is looked at.
+  static constexpr int kWeightSamples = 17;
+
+  static bool is_even(const FormInU<double>& weight, Around around) {
+    double least = HUGE_VAL, largest = -HUGE_VAL;
+    for (int i = 0; i < kWeightSamples; ++i) {
+      for (int j = 0; j < kWeightSamples; ++j) {
+        const double part = static_cast<double>(j) / (kWeightSamples - 1);
+        const Eigen::Vector2d u = direction_across(around, part);
+        const double at = value(weight, static_cast<double>(i) / (kWeightSamples - 1), u(0), u(1));
+        least = std::min(least, at);
+        largest = std::max(largest, at);
+      }
+    }
+    return least > kLeastRatioOfRegions * largest;
+  }
+
+  /// u at a part of what is taken of the circle.
+  static Eigen::Vector2d direction_across(Around around, double part) {
+    if (around == Around::kArc) return {1 - part, part};
+    const int arcs = around == Around::kLargerPart ? kArcsOfLargerPart : kLeastArcs;
+    return circle_point(arcs * part, kLeastArcs);
+  }
+
+  static bool holds(const std::vector<BoundaryPlace>& boundary, const Segment& segment,
+                    const LineFactor<double>& factor) {
+    return std::all_of(boundary.begin(), boundary.end(), [&](const BoundaryPlace& place) {
+      if (place.t < segment.begin || place.t > segment.end) return true;
+      const double local = (place.t - segment.begin) / (segment.end - segment.begin);
+      const Eigen::Vector2d direction(std::cos(place.angle), std::sin(place.angle));
+      return is_across(segment.around, value_at(factor, local).inverse() * direction);
+    });
+  }
+
+  static bool is_across(Around around, const Eigen::Vector2d& u) {
+    if (around == Around::kArc) return u(0) * u(1) > 0;
+    if (around != Around::kLargerPart) return true;
+    return circle_parameter(u(0), u(1), kLeastArcs) < kArcsOfLargerPart;
+  }
+
   /// The carrier of a segment in doubles, in its own parameter.
   Carrier<double> estimated_carrier(const Segment& segment) const {
     if (segment.is_whole_link()) return estimates_[segment.link].carrier;
@@ -450,12 +559,12 @@ class Planner {
     return true;
   }
 
-  bool halve_bad_segments() {
+  bool halve_bad_segments(int most_halvings) {
     bool changed = false;
     std::vector<Segment> refined;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       const Segment& segment = segments_[i];
-      if (bad_[i] && can_be_refined(segment)) {
+      if (bad_[i] && can_be_refined(segment, most_halvings)) {
         const auto parts = halves(segment, cut_of(segment),
                                   segment.lines_degree == 3 ? Joint::kSmooth : Joint::kTangent);
         refined.insert(refined.end(), parts.begin(), parts.end());
@@ -508,34 +617,6 @@ std::vector<CircleColumns> circle_columns(Lines lines, int arcs, int form_degree
 
 namespace {
 
-/// The part of a region's link over an interval, with the region's lines.
-LinedSegment region_segment(const IsotropicHypersurface<RealBall>& gamma, const RegionLines& lines,
-                            double begin, double end, long precision) {
-  const RealBall origin(Rational::exactly(begin), precision),
-      length(Rational::exactly(end) - Rational::exactly(begin), precision);
-  const Carrier<RealBall> carrier = on_interval(gamma.carrier, origin, length);
-  const SpinorMatrix<ComplexBall> spinor =
-      lined<RealBall>(on_segment(gamma.spinor, origin, length),
-                      constant_line(short_doubles<RealBall>(lines.factor)));
-  return {false,
-          begin,
-          end,
-          begin == lines.low ? Joint::kNone : Joint::kTangent,
-          midpoint(carrier),
-          sections(carrier, isotropic_vector<RealBall>(spinor)),
-          midpoint(spinor)};
-}
-
-std::vector<LinedSegment> region_segments(const EnvelopeChain& chain, long precision) {
-  const RegionLines lines = region_lines(chain);
-  const IsotropicHypersurface<RealBall> gamma = chain.links.front().envelope.enclosure(precision);
-  const auto segment = [&](double begin, double end) {
-    return region_segment(gamma, lines, begin, end, precision);
-  };
-  if (!lines.last_whole) return {segment(lines.low, lines.high)};
-  return {segment(lines.low, *lines.last_whole), segment(*lines.last_whole, lines.high)};
-}
-
 /// Developable strips have their rulings for lines already.
 std::vector<LinedSegment> strip_segments(const EnvelopeChain& chain, long precision) {
   std::vector<LinedSegment> segments(chain.links.size());
@@ -546,6 +627,7 @@ std::vector<LinedSegment> strip_segments(const EnvelopeChain& chain, long precis
                    link.begin,
                    link.end,
                    link.joint_before,
+                   Around::kArc,
                    midpoint(carrier),
                    sections(carrier, IsotropicVector<RealBall>{}),
                    {}};
@@ -557,8 +639,6 @@ std::vector<LinedSegment> strip_segments(const EnvelopeChain& chain, long precis
 
 std::vector<LinedSegment> lined_segments(const EnvelopeChain& chain, Lines lines, long precision) {
   if (std::holds_alternative<Strip>(chain.extent)) return strip_segments(chain, precision);
-  const bool is_region = std::holds_alternative<BoundedRegion>(chain.extent);
-  if (is_region && !is_ruled(chain)) return region_segments(chain, precision);
   if (chain.closed && room_for_lines(chain.links.back().envelope) == 0) {
     throw GeometryError(
         ErrorCode::kDegreeTooHigh,

@@ -33,12 +33,25 @@ inline constexpr int kMostArcs = 32;
 /// every arc for lowest degree. `arcs` is 4 times a power of two; the forms have this degree in u.
 std::vector<CircleColumns> circle_columns(Lines lines, int arcs, int form_degree);
 
+/// What of each circle the faces over a segment take.
+enum class Around {
+  kCircle,        ///< all of it, by a closed face
+  kHalves,        ///< all of it, by two faces
+  kUnequalParts,  ///< all of it, by a face of three arcs of four and one of the fourth
+  kLargerPart,    ///< the three arcs
+  kArc,           ///< the arc u = (1 - s : s)
+};
+
+/// The larger of two unequal parts of the circle, of the least number of arcs.
+inline constexpr int kArcsOfLargerPart = 3;
+
 /// A piece of the envelope with its lines, over the interval [begin, end] of the designer's
 /// parameter; of [0, 1] in a zone of a sphere, where the spine stands still.
 struct LinedSegment {
   bool stands_still;
   double begin, end;
   Joint joint_before;
+  Around around;
   Carrier<double>
       carrier;  ///< nearly; in the segment's own parameter on [0, 1], as all that follow
   HomogeneousSections<RealBall> sections;

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pn/algebra/precision.hpp"
 #include "pn/bezier/circle_parameter.hpp"
+#include "pn/bezier/parameter_lines.hpp"
+#include "pn/geometry_error.hpp"
 #include "pn/isotropic/seam.hpp"
 
 namespace pn {
@@ -16,7 +17,7 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
 constexpr int kSamplesPerArc = 64;
-/// The face reaches so far beyond the boundary, as a part of its extent.
+/// The faces begin and end so far beyond the boundary, as a part of their extent along.
 constexpr double kMargin = 0.01;
 /// Nearer to a pole the direction of its circles is lost to rounding.
 constexpr double kAtPole = 1e-9;
@@ -32,16 +33,8 @@ struct Hull {
     low = std::min(low, x);
     high = std::max(high, x);
   }
-  Hull widened() const {
-    const double margin = kMargin * (high - low);
-    return {low - margin, high + margin};
-  }
-};
-
-/// The extent of the boundary in t and in the angle of (u0, u1), followed around every loop.
-struct BoundaryHull {
-  Hull t, angle;
-  bool winds = false;  ///< some loop goes around the circles
+  double width() const { return high - low; }
+  Hull widened(double by) const { return {low - by, high + by}; }
 };
 
 /// Follows the angle of (u0, u1) along an arc in steps that are small even near a pole.
@@ -106,40 +99,48 @@ std::vector<std::vector<AngleWalk::Step>> walks(const BoundedRegion& region,
   return result;
 }
 
-BoundaryHull boundary_hull(const std::vector<std::vector<AngleWalk::Step>>& walks) {
-  BoundaryHull hull;
-  for (const auto& walk : walks) {
-    for (const auto& step : walk) {
-      hull.t.add(step.t);
-      hull.angle.add(step.angle);
-    }
-    hull.winds = hull.winds || std::abs(walk.back().angle - walk.front().angle) > M_PI / 2;
-  }
-  return hull;
+/// The angle followed around a loop grows by a half turn: the loop goes around the circles.
+bool winds(const std::vector<AngleWalk::Step>& loop) {
+  return std::abs(loop.back().angle - loop.front().angle) > M_PI / 2;
 }
 
-/// The arc of directions on which the boundary lies beyond a circle: what remains of the half turn
-/// without its widest gap.
-Hull directions_beyond(const std::vector<std::vector<AngleWalk::Step>>& walks, double t) {
+double turned_into_half_turn(double angle, double start) {
+  return angle - M_PI * std::floor((angle - start) / M_PI);
+}
+
+/// The widest gap between directions, from its start; directions are angles modulo pi.
+Hull widest_gap(const std::vector<BoundaryPlace>& places) {
   std::vector<double> angles;
-  for (const auto& walk : walks) {
-    for (const auto& step : walk) {
-      if (step.t > t) angles.push_back(step.angle - M_PI * std::floor(step.angle / M_PI));
-    }
-  }
+  for (const BoundaryPlace& place : places) angles.push_back(turned_into_half_turn(place.angle, 0));
   std::sort(angles.begin(), angles.end());
-  Hull arc{angles.front(), angles.back()};
-  double widest = angles.front() + M_PI - angles.back();
+  Hull gap{angles.back() - M_PI, angles.front()};
   for (std::size_t i = 1; i < angles.size(); ++i) {
-    if (angles[i] - angles[i - 1] <= widest) continue;
-    widest = angles[i] - angles[i - 1];
-    arc = {angles[i], angles[i - 1] + M_PI};
+    if (angles[i] - angles[i - 1] > gap.width()) gap = {angles[i - 1], angles[i]};
   }
-  return arc;
+  return gap;
 }
 
-Matrix2d short_entries(const Matrix2d& a) {
-  return a.unaryExpr([](double x) { return static_cast<double>(static_cast<float>(x)); });
+/// All angles from the middle of the gap on.
+std::vector<BoundaryPlace> beyond_gap(std::vector<BoundaryPlace> places, const Hull& gap) {
+  const double start = (gap.low + gap.high) / 2;
+  for (BoundaryPlace& place : places) place.angle = turned_into_half_turn(place.angle, start);
+  return places;
+}
+
+std::vector<BoundaryPlace> places_on(const std::vector<std::vector<AngleWalk::Step>>& walks) {
+  std::vector<BoundaryPlace> places;
+  for (const auto& walk : walks) {
+    for (const auto& step : walk) places.push_back({step.t, step.angle});
+  }
+  return places;
+}
+
+/// The places beyond a circle.
+std::vector<BoundaryPlace> from(const std::vector<BoundaryPlace>& places, double t) {
+  std::vector<BoundaryPlace> result;
+  std::copy_if(places.begin(), places.end(), std::back_inserter(result),
+               [&](const BoundaryPlace& place) { return place.t >= t; });
+  return result;
 }
 
 Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
@@ -161,50 +162,120 @@ Matrix2d even_lines(const CircleForms<double>& circles, const Matrix2cd& a, doub
   return even_factor(a, circle_normal(circles, t, e));
 }
 
-/// The largest t up to which all circles from a pole on stay on the sheet: their weight is
-/// positive.
-double last_whole_circle(const IsotropicHypersurface<double>& gamma, double high) {
+/// Lines of the whole circle whose larger part lies between two angles.
+Matrix2d larger_part_between(const Matrix2cd& a, const Hull& angles) {
+  Matrix2d ends;
+  ends << circle_point(0, kLeastArcs).normalized(),
+      circle_point(kArcsOfLargerPart, kLeastArcs).normalized();
+  return directions(a, angles) * ends.inverse();
+}
+
+/// Weights around a circle may vary by this factor; a whole circle nearer to infinity is not taken.
+constexpr double kLeastRatioAround = 0.05;
+
+/// The last circle up to which all weights are positive, and vary little where `high` is not
+/// reached.
+double last_whole_circle(const IsotropicHypersurface<double>& gamma, double low, double high) {
   constexpr int kCircles = 200, kDirections = 64;
   const FormInU<double> weight =
       sections(gamma.carrier, isotropic_vector<double>(gamma.spinor)).weight;
-  const auto is_positive = [&](double t) {
+  const auto least_ratio = [&](double t) {
+    const Matrix2d even = even_lines(gamma.circles, value_at(gamma.spinor, t), t);
+    double least = HUGE_VAL, largest = 0;
     for (int i = 0; i < kDirections; ++i) {
-      const Vector2d u = direction(M_PI * i / kDirections);
-      double value = 0;
-      for (int j = 0; j <= weight.degree(); ++j) {
-        value += small_binomial(weight.degree(), j) * weight.coefficient[j](t) *
-                 std::pow(u(0), weight.degree() - j) * std::pow(u(1), j);
-      }
-      if (value <= 0) return false;
+      const Vector2d u = even * direction(M_PI * i / kDirections);
+      const double at = value(weight, t, u(0), u(1));
+      least = std::min(least, at);
+      largest = std::max(largest, at);
     }
-    return true;
+    return least / largest;
   };
+  double last = low;
   for (int i = 1; i <= kCircles; ++i) {
-    if (!is_positive(high * i / kCircles)) return high * (i - 1) / kCircles;
+    const double t = low + (high - low) * i / kCircles, ratio = least_ratio(t);
+    if (ratio <= 0) return last;
+    if (ratio > kLeastRatioAround) last = t;
   }
   return high;
 }
 
-/// Circles are taken whole up to this part of the last one that stays on the sheet.
-constexpr double kWholePart = 0.8;
-/// Beyond them the first half covers what the region needs and this part more.
-constexpr double kHalfMargin = 0.1;
+/// Beside the larger part of the circle a gap of this width leaves the smaller one even enough.
+constexpr double kWideGap = 1;
 
-/// Lines whose first half, from s = 0 to s = 2 of four arcs, lies between two angles.
-Matrix2d half_between(const Matrix2cd& a, Hull angles) {
-  const double margin = kHalfMargin * (angles.high - angles.low);
-  const Vector2d start = circle_point(0, 4).normalized(), end = circle_point(2, 4).normalized();
-  Matrix2d ends;
-  ends << start, end;
-  return directions(a, {angles.low - margin, angles.high + margin}) * ends.inverse();
+/// The first circle beyond which the boundary leaves a wide gap, `last` if none does.
+double first_with_wide_gap(const std::vector<BoundaryPlace>& places, double low, double last) {
+  constexpr int kSteps = 32;
+  for (int i = 1; i < kSteps; ++i) {
+    const double t = low + (last - low) * i / kSteps;
+    if (widest_gap(from(places, t)).width() > kWideGap) return t;
+  }
+  return last;
+}
+
+/// Arcs of more than this leave no room for lines beside them; such a region takes whole circles
+/// where it can.
+constexpr double kWidestArc = M_PI - 0.5;
+/// The least arc that lines are spread over, as a part of the widest one: where a region ends in a
+/// corner.
+constexpr double kLeastArc = 0.1;
+/// A margin takes this part of what the region leaves of the circle, at most.
+constexpr double kMostOfGap = 0.25;
+
+/// The boundary within `reach` of a circle.
+CircleArc arc_near(const std::vector<BoundaryPlace>& boundary, double t, double reach) {
+  Hull near, all;
+  for (const BoundaryPlace& place : boundary) {
+    all.add(place.angle);
+    if (std::abs(place.t - t) <= reach) near.add(place.angle);
+  }
+  if (near.width() < 0) near = all;
+  const double missing = std::max(0.0, kLeastArc * all.width() - near.width());
+  near = near.widened(missing / 2);
+  return {near.low, near.high};
+}
+
+ArcOf arc_within(const RegionCircles& circles, double window) {
+  const double reach = window * (circles.high - circles.low);
+  return [=, boundary = circles.boundary](double t) { return arc_near(boundary, t, reach); };
+}
+
+/// A line over t.
+struct Line {
+  double origin, value, slope;
+  double operator()(double t) const { return value + slope * (t - origin); }
+};
+
+/// The line above all places that is lowest in the middle: it goes through two places, one on each
+/// side, or through a single one in the middle.
+Line supporting_line(const std::vector<BoundaryPlace>& places, double middle) {
+  // The slope is right when the highest places over it lie on both sides of the middle.
+  const auto highest = [&](double slope) {
+    return *std::max_element(places.begin(), places.end(),
+                             [&](const BoundaryPlace& a, const BoundaryPlace& b) {
+                               return a.angle - slope * a.t < b.angle - slope * b.t;
+                             });
+  };
+  constexpr int kBisections = 40;
+  double steepest = 1 << 20, slope = 0;
+  for (int i = 0; i < kBisections; ++i, steepest /= 2) {
+    slope += highest(slope).t > middle ? steepest / 2 : -steepest / 2;
+  }
+  const BoundaryPlace place = highest(slope);
+  return {place.t, place.angle, slope};
+}
+
+std::vector<BoundaryPlace> upside_down(std::vector<BoundaryPlace> places) {
+  for (BoundaryPlace& place : places) place.angle = -place.angle;
+  return places;
+}
+
+GeometryError too_far() {
+  return {ErrorCode::kRegionUnsupported,
+          "The region reaches too far beyond the umbilics of the hyperboloid, to where its points "
+          "run to infinity. Lower its height, or divide it by a sector or a box."};
 }
 
 }  // namespace
-
-bool is_ruled(const EnvelopeChain& chain) {
-  return std::holds_alternative<RulingForms<RealBall>>(
-      chain.links.front().envelope.enclosure(kLeastPrecision).carrier);
-}
 
 bool is_bounded_by_parallels(const BoundedRegion& region) {
   return std::all_of(region.loops.begin(), region.loops.end(), [](const auto& loop) {
@@ -212,36 +283,68 @@ bool is_bounded_by_parallels(const BoundedRegion& region) {
     for (const BoundaryArc& arc : loop) {
       for (int i = 0; i < kSamplesPerArc; ++i) t.add(arc((i + 0.5) / kSamplesPerArc).t);
     }
-    return t.high - t.low < kParallel;
+    return t.width() < kParallel;
   });
 }
 
-RegionLines region_lines(const EnvelopeChain& chain) {
-  const auto& region = std::get<BoundedRegion>(chain.extent);
-  const auto gamma = midpoint(chain.links.front().envelope.enclosure(kLeastPrecision));
-  const auto steps = walks(region, gamma.spinor);
-  const BoundaryHull hull = boundary_hull(steps);
-  const Hull t = is_bounded_by_parallels(region) ? hull.t : hull.t.widened();
-  RegionLines lines;
-  lines.low = region.has_first_pole ? 0 : std::max(t.low, kAtPole);
-  lines.high = region.has_last_pole ? 1 : std::min(t.high, 1 - kAtPole);
-  lines.is_closed = region.has_first_pole || region.has_last_pole || hull.winds;
-  const double middle = (lines.low + lines.high) / 2;
-  const Matrix2cd a = value_at(gamma.spinor, middle);
-  if (!lines.is_closed) {
-    lines.factor = short_entries(directions(a, hull.angle.widened()));
-    return lines;
+RegionCircles region_circles(const BoundedRegion& region,
+                             const IsotropicHypersurface<double>& gamma) {
+  const auto loops = walks(region, gamma.spinor);
+  const std::vector<BoundaryPlace> everywhere = places_on(loops);
+  Hull t;
+  for (const BoundaryPlace& place : everywhere) t.add(place.t);
+  if (!is_bounded_by_parallels(region)) t = t.widened(kMargin * t.width());
+  RegionCircles circles;
+  circles.low = region.has_first_pole ? 0 : std::max(t.low, kAtPole);
+  circles.high = region.has_last_pole ? 1 : std::min(t.high, 1 - kAtPole);
+  const double whole = last_whole_circle(gamma, circles.low, circles.high);
+  const bool surrounds = region.has_first_pole || region.has_last_pole ||
+                         std::any_of(loops.begin(), loops.end(), winds);
+  const bool has_gap = !everywhere.empty() && widest_gap(everywhere).width() > M_PI - kWidestArc;
+  circles.is_closed = surrounds || (!has_gap && whole == circles.high);
+  if (circles.is_closed && whole == circles.high) return circles;
+  if (circles.is_closed) circles.split = first_with_wide_gap(everywhere, circles.low, whole);
+  const auto places = from(everywhere, circles.split.value_or(0));
+  const Hull gap = widest_gap(places);
+  if (gap.width() < kLeastArc) throw too_far();
+  circles.boundary = beyond_gap(places, gap);
+  return circles;
+}
+
+ArcOf constant_arc(const RegionCircles& circles) { return arc_within(circles, 1); }
+
+ArcOf tapering_arc(const RegionCircles& circles) {
+  const double low = circles.split.value_or(circles.low), middle = (low + circles.high) / 2;
+  const Line above = supporting_line(circles.boundary, middle),
+             below = supporting_line(upside_down(circles.boundary), middle);
+  return [=](double t) { return CircleArc{-below(t), above(t)}; };
+}
+
+ArcOf following_arc(const RegionCircles& circles) { return arc_within(circles, 0.1); }
+
+ArcOf closely_following_arc(const RegionCircles& circles) { return arc_within(circles, 0.03); }
+
+RegionLines::RegionLines(IsotropicHypersurface<double> gamma, RegionCircles circles, ArcOf arc,
+                         double margin)
+    : gamma_(std::move(gamma)),
+      circles_(std::move(circles)),
+      arc_(std::move(arc)),
+      margin_(margin) {
+  choose_signs(1);
+}
+
+Matrix2d RegionLines::factor(std::size_t, double place) const {
+  if (circles_.boundary.empty()) {
+    const double middle = (circles_.low + circles_.high) / 2;
+    return even_lines(gamma_.circles, value_at(gamma_.spinor, middle), middle);
   }
-  const double whole = last_whole_circle(gamma, lines.high);
-  if (whole == lines.high) {
-    lines.factor = short_entries(even_lines(gamma.circles, a, middle));
-    return lines;
-  }
-  const double split = kWholePart * whole;
-  lines.last_whole = split;
-  const Hull beyond = directions_beyond(steps, split);
-  lines.factor = short_entries(half_between(value_at(gamma.spinor, split), beyond));
-  return lines;
+  const double start = circles_.split.value_or(circles_.low);
+  const auto [low, high] = arc_(std::clamp(place, start, circles_.high));
+  const double margin = std::min(margin_ * (high - low), kMostOfGap * (M_PI - (high - low)));
+  const Hull arc{low - margin, high + margin};
+  // On one circle for all: then the directions of linear lines turn evenly between their ends.
+  const Matrix2cd a = value_at(gamma_.spinor, (start + circles_.high) / 2);
+  return circles_.split ? larger_part_between(a, arc) : directions(a, arc);
 }
 
 }  // namespace pn

@@ -9,7 +9,6 @@
 #include "pn/algebra/parallel.hpp"
 #include "pn/algebra/roots.hpp"
 #include "pn/bezier/knot_insertion.hpp"
-#include "pn/bezier/region_lines.hpp"
 #include "pn/geometry_error.hpp"
 
 namespace pn {
@@ -248,6 +247,10 @@ bool has_bad_weight(const FaceNet& face) {
   });
 }
 
+bool has_bad_weights(const std::vector<FaceNet>& run) {
+  return std::any_of(run.begin(), run.end(), has_bad_weight);
+}
+
 /// Two end rows, one of which replaces the other: one circle, bit for bit.
 std::vector<NetPole> exchanged(std::vector<NetPole>::iterator own,
                                std::vector<NetPole>::const_iterator shared, std::size_t count) {
@@ -258,21 +261,27 @@ std::vector<NetPole> exchanged(std::vector<NetPole>::iterator own,
 
 /// Gives every run the last row of the one before where they meet, and the last run of a closed
 /// chain the first row.
-std::vector<FaceNet> with_shared_rows(std::vector<FaceNet> faces, std::size_t around, bool closed,
+std::vector<FaceNet> with_shared_rows(std::vector<std::vector<FaceNet>> runs, bool closed,
                                       const std::vector<LinedSegment>& segments) {
   const auto last_row = [](FaceNet& face) {
     return face.poles.end() - static_cast<std::ptrdiff_t>(face.frame.v_count());
   };
-  for (std::size_t i = around; i < faces.size(); ++i) {
-    FaceNet &before = faces[i - around], &face = faces[i];
-    if (segments[face.first_segment].joint_before == Joint::kNone) continue;
-    face.replaced_first = exchanged(face.poles.begin(), last_row(before), face.frame.v_count());
+  for (std::size_t i = 1; i < runs.size(); ++i) {
+    if (segments[runs[i].front().first_segment].joint_before == Joint::kNone) continue;
+    for (std::size_t j = 0; j < runs[i].size(); ++j) {
+      FaceNet& face = runs[i][j];
+      face.replaced_first =
+          exchanged(face.poles.begin(), last_row(runs[i - 1][j]), face.frame.v_count());
+    }
   }
-  if (!closed) return faces;
-  for (std::size_t i = 0; i < around; ++i) {
-    FaceNet &first = faces[i], &last = faces[faces.size() - around + i];
-    last.replaced_last = exchanged(last_row(last), first.poles.begin(), last.frame.v_count());
+  if (closed) {
+    for (std::size_t j = 0; j < runs.back().size(); ++j) {
+      FaceNet &first = runs.front()[j], &last = runs.back()[j];
+      last.replaced_last = exchanged(last_row(last), first.poles.begin(), last.frame.v_count());
+    }
   }
+  std::vector<FaceNet> faces;
+  for (auto& run : runs) std::move(run.begin(), run.end(), std::back_inserter(faces));
   return faces;
 }
 
@@ -409,86 +418,71 @@ RoundedFace rounded(const FaceNet& face, double exact_distance) {
   return {std::move(surface), deviation};
 }
 
-/// The columns of every face around or across, and into how many spans each segment is cut along.
+/// What is tried until all weights are positive: into how many spans every arc around and every
+/// segment along is cut.
 struct FaceChoice {
-  std::vector<CircleColumns> columns;
-  int arcs;  ///< of the whole circle; 0 for a band
-  int spans;
-  std::size_t later_columns;  ///< so many of the columns go on after the first run
+  int factor, spans;
 };
 
-/// The halves of the circle of four arcs, each arc divided into so many spans.
-std::vector<CircleColumns> half_circles(int spans, int form_degree) {
-  constexpr int kHalfArcs = kLeastArcs / 2;
-  return {refined(circle_part(0, kHalfArcs, kLeastArcs, form_degree), spans),
-          refined(circle_part(kHalfArcs, kLeastArcs, kLeastArcs, form_degree), spans)};
+/// From few poles to many. Only the faces over regions are cut along, each being a segment.
+std::vector<FaceChoice> face_choices(const Extent& extent) {
+  constexpr int kMostFactor = kMostArcs / kLeastArcs;
+  std::vector<FaceChoice> choices;
+  for (int factor = 1; factor <= kMostFactor; factor *= 2) {
+    if (std::holds_alternative<BoundedRegion>(extent)) {
+      choices.insert(choices.end(), {{factor, factor}, {factor, 2 * factor}, {2 * factor, factor}});
+    } else {
+      choices.push_back({factor, 1});
+    }
+  }
+  return choices;
 }
 
-/// What is tried until all weights are positive, from few poles to many.
-class FaceChoices {
- public:
-  FaceChoices(const EnvelopeChain& chain, Lines lines)
-      : lines_(lines), form_degree_(chain.links.front().envelope.degree_around()) {
-    std::visit([&](const auto& extent) { add(extent, chain); }, chain.extent);
-  }
-
-  const std::vector<FaceChoice>& all() const { return choices_; }
-
- private:
-  static constexpr int kMostFactor = kMostArcs / kLeastArcs;
-
-  void add(const WholeCircle&, const EnvelopeChain&) {
-    for (int factor = 1; factor <= kMostFactor; factor *= 2) {
-      const int arcs = factor * kLeastArcs;
-      choose(circle_columns(lines_, arcs, form_degree_), arcs, 1);
-    }
-  }
-  void add(const RulingBand&, const EnvelopeChain&) {
-    for (int factor = 1; factor <= kMostFactor; factor *= 2) {
-      choose({straight_band(factor, form_degree_)}, 0, 1);
-    }
-  }
-  void add(const Strip&, const EnvelopeChain&) { add(RulingBand{}, {}); }
-  void add(const BoundedRegion&, const EnvelopeChain& chain) {
-    std::optional<RegionLines> region;
-    if (!is_ruled(chain)) region = region_lines(chain);
-    for (int factor = 1; factor <= kMostFactor; factor *= 2) {
-      for (const int spans : {factor, 2 * factor}) {
-        if (region && region->is_closed) {
-          choose(half_circles(factor, form_degree_), kLeastArcs, spans);
-          if (region->last_whole) choices_.back().later_columns = 1;
-        } else {
-          choose({straight_band(factor, form_degree_)}, 0, spans);
-        }
-      }
-    }
-  }
-  void choose(std::vector<CircleColumns> columns, int arcs, int spans) {
-    const std::size_t count = columns.size();
-    choices_.push_back({std::move(columns), arcs, spans, count});
-  }
-
-  Lines lines_;
-  int form_degree_;
-  std::vector<FaceChoice> choices_;
-};
-
-/// The faces: run by run, and within a run column set by column set.
-std::vector<FaceNet> face_nets(const Rows& strip, const FaceChoice& choice) {
-  struct Place {
-    std::size_t run, columns;
+/// The columns of the faces over a segment.
+std::vector<CircleColumns> columns_of(Around around, Lines lines, int factor, int form_degree) {
+  const auto part = [&](int first, int last) {
+    return refined(circle_part(first, last, kLeastArcs, form_degree), factor);
   };
-  std::vector<Place> places;
-  for (std::size_t run = 0; run < strip.runs.size(); ++run) {
-    const std::size_t count = run == 0 ? choice.columns.size() : choice.later_columns;
-    for (std::size_t i = 0; i < count; ++i) places.push_back({run, i});
+  switch (around) {
+    case Around::kCircle:
+      return circle_columns(lines, factor * kLeastArcs, form_degree);
+    case Around::kHalves:
+      return {part(0, kLeastArcs / 2), part(kLeastArcs / 2, kLeastArcs)};
+    case Around::kUnequalParts:
+      return {part(0, kArcsOfLargerPart), part(kArcsOfLargerPart, kLeastArcs)};
+    case Around::kLargerPart:
+      return {part(0, kArcsOfLargerPart)};
+    case Around::kArc:
+      return {straight_band(factor, form_degree)};
   }
-  std::vector<FaceNet> faces(places.size());
+  throw std::logic_error("a part of the circle without columns");
+}
+
+/// The arcs of the whole circle to which the second parameter of a face belongs; none for an arc.
+int arcs_of(Around around, int factor) {
+  if (around == Around::kArc) return 0;
+  return around == Around::kCircle ? factor * kLeastArcs : kLeastArcs;
+}
+
+/// The faces run by run, side by side within a run.
+std::vector<std::vector<FaceNet>> face_nets(const Rows& strip, Lines lines, int factor,
+                                            int form_degree) {
+  std::vector<std::vector<FaceNet>> faces(strip.runs.size());
   for_each_index(faces.size(), [&](std::size_t i) {
-    faces[i] =
-        face_net(strip, strip.runs[places[i].run], choice.columns[places[i].columns], choice.arcs);
+    const Run& run = strip.runs[i];
+    const Around around = strip.segments[run.first].around;
+    const auto columns = columns_of(around, lines, factor, form_degree);
+    faces[i].resize(columns.size());
+    for_each_index(columns.size(), [&](std::size_t j) {
+      faces[i][j] = face_net(strip, run, columns[j], arcs_of(around, factor));
+    });
   });
   return faces;
+}
+
+/// The circles of quadrics are taken whole, unlike those of canal surfaces, from a pole on.
+bool has_poles(Around around) {
+  return around == Around::kHalves || around == Around::kUnequalParts;
 }
 
 /// At a pole of the parametrization a row of control points is one point, and exported as one.
@@ -509,14 +503,15 @@ void gather_at_poles(FaceNet& face) {
 
 SectionNet::SectionNet(const EnvelopeChain& chain, Lines lines, long precision)
     : segments_(lined_segments(chain, lines, precision)), precision_(precision) {
-  const FaceChoices choices(chain, lines);
-  for (const FaceChoice& choice : choices.all()) {
-    const Rows strip = rows_of_all(segments_, choice.spans, precision);
-    std::vector<FaceNet> faces = face_nets(strip, choice);
-    if (std::any_of(faces.begin(), faces.end(), has_bad_weight)) continue;
-    faces_ = with_shared_rows(std::move(faces), choice.columns.size(), chain.closed, segments_);
-    if (choice.arcs == 0 || std::holds_alternative<WholeCircle>(chain.extent)) return;
-    for (FaceNet& face : faces_) gather_at_poles(face);
+  const int form_degree = chain.links.front().envelope.degree_around();
+  for (const auto& [factor, spans] : face_choices(chain.extent)) {
+    const Rows strip = rows_of_all(segments_, spans, precision);
+    auto faces = face_nets(strip, lines, factor, form_degree);
+    if (std::any_of(faces.begin(), faces.end(), has_bad_weights)) continue;
+    if (has_poles(segments_.front().around)) {
+      for (auto& run : faces) std::for_each(run.begin(), run.end(), gather_at_poles);
+    }
+    faces_ = with_shared_rows(std::move(faces), chain.closed, segments_);
     return;
   }
   throw GeometryError(ErrorCode::kWeightsNotPositive,

@@ -72,4 +72,16 @@ FormInU<T> operator*(const FormInU<T>& a, const FormInU<T>& b) {
   return product;
 }
 
+/// The value at t and u = (u0 : u1).
+template <class T>
+T value(const FormInU<T>& form, const T& t, const T& u0, const T& u1) {
+  // Horner's scheme in u0, with the powers of u1 kept beside it.
+  T sum(0.0), power(1.0);
+  for (int j = 0; j <= form.degree(); ++j) {
+    sum = sum * u0 + T(small_binomial(form.degree(), j)) * form.coefficient[j](t) * power;
+    power = power * u1;
+  }
+  return sum;
+}
+
 }  // namespace pn
