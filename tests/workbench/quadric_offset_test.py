@@ -203,7 +203,7 @@ class Regions(QuadricOffsetTest):
 
     def test_two_parts_are_two_shells_or_two_walls(self):
         """Above and below a rectangle an ellipsoid has two parts that mirror each other."""
-        region = {"x": (-10, 10), "y": (-6, 6)}
+        region = {"x": (-6, 10), "y": (-6, 6)}
         caps = make_quadric_offset("Ellipsoid", 20, 15, 10, 1, bounds=region)
         self.assert_valid(caps)
         self.assertEqual([len(shell.Faces) for shell in caps.Shape.Shells], [1, 1])
@@ -230,7 +230,7 @@ class Regions(QuadricOffsetTest):
     def test_a_whole_turn_ends_nothing(self):
         around, sector = (
             make_quadric_offset("Ellipsoid", 20, 15, 10, bounds=bounds)
-            for bounds in ({"z": (-5, 5)}, {"z": (-5, 5), "angle": (30, 390)})
+            for bounds in ({"z": (-5, 5)}, {"z": (-5, 5), "angle": (-90, 270)})
         )
         self.assert_valid(sector)
         self.assertEqual(shape_data(sector.Shape), shape_data(around.Shape))
@@ -247,6 +247,11 @@ class Regions(QuadricOffsetTest):
                     obj.Region = region
                     self.document.recompute()
                     self.assert_valid(obj)
+
+    def test_angles_beyond_a_whole_turn(self):
+        for angle in ((0, 400), ("-7 rad", 0)):
+            with self.assertRaisesRegex(ValueError, "is not between -360° and 360°"):
+                make_quadric_offset("Ellipsoid", 20, 15, 10, bounds={"z": (0, 5), "angle": angle})
 
     def test_bounds_without_a_region(self):
         before = self.document.Objects
@@ -361,7 +366,7 @@ class Errors(Recovery, QuadricOffsetTest):
         for low, high, sentence in (
             (90, 0, "The sector is empty: from 90° to 0°."),
             (30, 30, "The sector is empty: from 30° to 30°."),
-            (0, math.nan, "finite"),
+            (0, math.nan, "not a number"),
         ):
             with self.subTest(sentence):
                 self.obj.Region, self.obj.MinZ, self.obj.MaxZ = "Sector", -5, 5

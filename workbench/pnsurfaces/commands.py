@@ -20,7 +20,7 @@ _LENGTH_PER_RADIUS = 20
 _HALF_AXES = (40.0, 30.0, 20.0)
 
 # Its bounds once it has some: those of quadric_offset.suitable_bounds.
-_BOUNDS = {"MinX": -40.0, "MaxX": 40.0, "MinY": -30.0, "MaxY": 30.0, "MinZ": 0.0, "MaxZ": 20.0}
+_BOUNDS = {"MinX": -20.0, "MaxX": 20.0, "MinY": -15.0, "MaxY": 15.0, "MinZ": 0.0, "MaxZ": 20.0}
 
 
 class CreationCommand:

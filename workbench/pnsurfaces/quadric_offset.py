@@ -121,7 +121,7 @@ class QuadricOffset(FeatureBase):
         _bound("MinAngle", QT_TRANSLATE_NOOP("App::Property", "Where the sector begins, from x"),
                0.0),
         _bound("MaxAngle", QT_TRANSLATE_NOOP("App::Property", "Where the sector ends, from x"),
-               180.0),
+               120.0),
         result("App::PropertyString", "Recognised",
                QT_TRANSLATE_NOOP("App::Property", "The quadric on which the face lies")),
         result("App::PropertyString", "FaceDeviation",
@@ -158,7 +158,11 @@ def suitable_bounds(obj):
     """Bounds in proportion to kind and half-axes of a feature QuadricOffset, by property name."""
     a, b, c = _half_axes(obj)
     low, high = KINDS[obj.Kind].heights
-    return {"MinX": -a, "MaxX": a, "MinY": -b, "MaxY": b, "MinZ": low * c, "MaxZ": high * c}
+    return {
+        "MinX": -a / 2, "MaxX": a / 2,
+        "MinY": -b / 2, "MaxY": b / 2,
+        "MinZ": low * c, "MaxZ": high * c,
+    }
 
 
 def read_face(obj):
@@ -263,7 +267,7 @@ def _bounds(obj):
 def _region_values(bounds):
     """The property values that an argument `bounds` stands for.
 
-    Raises ValueError when no region has these bounds.
+    Raises ValueError when no region has these bounds, or an angle is too large.
     """
     wanted = {name.capitalize() for name in bounds}
     region = next((name for name, used in REGIONS.items() if set(used) == wanted), None)
@@ -272,4 +276,8 @@ def _region_values(bounds):
     values = {"Region": region}
     for name, pair in bounds.items():
         values.update(zip(BOUNDS[name.capitalize()], pair))
+    # FreeCAD would cut the property down to the limit without a word.
+    for angle in map(FreeCAD.Units.Quantity, bounds.get("angle", ())):
+        if abs(angle.Value) > WHOLE_TURN:
+            raise ValueError(f"The angle {angle.Value:g}° is not between -360° and 360°.")
     return values
