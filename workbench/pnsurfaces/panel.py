@@ -83,6 +83,12 @@ class TaskPanel:
         setattr(self.feature, name, value)
         self._timer.start()
 
+    def fill(self, spin_box, name):
+        """Shows the value of a property in its box, which rounds and may not write that back."""
+        spin_box.blockSignals(True)
+        spin_box.setProperty("value", getattr(self.feature, name))
+        spin_box.blockSignals(False)
+
     def record(self, name):
         """Has the property `name` in the recorded macro when it differs at the end."""
         self._before[name] = _state(self.feature, name)
@@ -171,8 +177,7 @@ class TaskPanel:
 
     def _bind_quantity(self, spin_box, name):
         FreeCADGui.ExpressionBinding(spin_box).bind(self.feature, name)
-        # The box rounds what it is given: it may not write that back, so it is filled first.
-        spin_box.setProperty("value", getattr(self.feature, name))
+        self.fill(spin_box, name)
         connect(spin_box, "valueChanged(double)", lambda value: self.assign(name, value))
 
     def _restore_state(self):
@@ -194,12 +199,13 @@ class TaskPanel:
 
 
 def _scroll_to(widget):
-    """Brings a widget into view where the panel is longer than the window."""
-    area = widget.parentWidget()
-    while area and not isinstance(area, QtWidgets.QScrollArea):
-        area = area.parentWidget()
-    if area:
-        area.ensureWidgetVisible(widget, 0, _LINES_OF_STATUS * widget.fontMetrics().height())
+    """Brings a widget into view where the panel is longer than the window.
+
+    From a widget to its parents there is no way in PySide that leaves the widget alive.
+    """
+    for area in FreeCADGui.getMainWindow().findChildren(QtWidgets.QScrollArea):
+        if area.isAncestorOf(widget):
+            area.ensureWidgetVisible(widget, 0, _LINES_OF_STATUS * widget.fontMetrics().height())
 
 
 def _state(feature, name):

@@ -49,7 +49,8 @@ class QuadricOffsetPanel(TaskPanel):
             if self.feature.Region not in kind.regions:
                 self.assign("Region", kind.regions[0])
             for name, bound in suitable_bounds(self.feature).items():
-                getattr(self._inputs, name).setProperty("value", bound)
+                self.assign(name, bound)
+                self.fill(getattr(self._inputs, name), name)
         self._offer_regions()
         self._show_inputs()
 
