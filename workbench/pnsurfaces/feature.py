@@ -7,19 +7,24 @@ from typing import Any, NamedTuple
 
 import FreeCAD
 
+from pnsurfaces.edge_chain import CONFUSION
 from pnsurfaces.kernel import KernelMissing
 from pnsurfaces.shape import solid_of_sections, storage_loss, surface_of_sections
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
+# The choice of Sides that makes one surface, and that of Output whose two surfaces are a wall.
+ONE_SIDE = "Offset"
+SOLID = "Solid"
+
 # The distances that each choice shows, the smallest first.
 SIDES = {
-    "Offset": lambda distance: [distance],
+    ONE_SIDE: lambda distance: [distance],
     "Base and offset": lambda distance: sorted({0.0, distance}),
     "Both sides": lambda distance: sorted({-distance, distance}),
 }
 
-OUTPUTS = {"Surface": surface_of_sections, "Solid": solid_of_sections}
+OUTPUTS = {"Surface": surface_of_sections, SOLID: solid_of_sections}
 
 # What the user chooses, and what the kernel calls it.
 PARAMETER_LINES = {"Even": "even", "Lowest degree": "lowest_degree"}
@@ -157,7 +162,7 @@ class FeatureBase:
     def _computed(self, obj):
         """The shape and the values of the result properties, by name."""
         base = self.base(obj)
-        distances = SIDES[obj.Sides](obj.Distance.Value)
+        distances = _distances(obj)
         sections = [base.surface.offset(distance) for distance in distances]
         lines = PARAMETER_LINES[obj.ParameterLines]
         faces = [section.bsplines(lines=lines) for section in sections]
@@ -227,6 +232,15 @@ def show_only(obj, shown, names):
 def deviation_text(deviation):
     """A distance in millimetres as text: the property editor would show a length as 0.00 mm."""
     return f"{deviation:.1e} mm" if deviation else "0 mm"
+
+
+def _distances(obj):
+    """The distances of the surfaces that are shown, the smallest first."""
+    distances = SIDES[obj.Sides](obj.Distance.Value)
+    thickness = distances[-1] - distances[0]
+    if obj.Output == SOLID and obj.Sides != ONE_SIDE and thickness <= CONFUSION:
+        raise ValueError(f"The wall would be {thickness:.2g} mm thick. Give it a distance.")
+    return distances
 
 
 def _restore_view_provider(obj):

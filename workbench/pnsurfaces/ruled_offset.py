@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The offset of a ruled surface in the tree."""
 
+import Part
+
 from pnsurfaces import kernel
 from pnsurfaces.edge_chain import ChainError, read_edge_chain
 from pnsurfaces.feature import QT_TRANSLATE_NOOP, Base, FeatureBase, Property, make_feature
@@ -34,17 +36,27 @@ class RuledOffset(FeatureBase):
 def read_curves(obj):
     """The two curves (ruled_face.RuledFace) of a feature RuledOffset.
 
-    Raises ChainError, LinkError or NotRuled with a sentence for the user.
+    Raises ValueError (ChainError, LinkError, NotRuled) with a sentence for the user.
     """
     container = obj.getParentGeoFeatureGroup()
     if obj.Face:
-        curves = read_ruled_face(only_face(obj.Face, container))
+        curves = read_ruled_face(_skew_face(only_face(obj.Face, container)))
     else:
         if not (obj.CurveA and obj.CurveB):
             raise ChainError("A curve is missing. Choose two edges, or one ruled face.")
         links = obj.CurveA, obj.CurveB
         curves = RuledFace(*(read_edge_chain(*link, container) for link in links))
     return RuledFace(curves.first, curves.last.reversed()) if obj.Reversed else curves
+
+
+def _skew_face(face):
+    """The face, unless it is one whose circles are not circles exactly as B-splines."""
+    if isinstance(face.Surface, (Part.Cylinder, Part.Cone)):
+        raise ValueError(
+            "The face lies on a cylinder or cone of revolution. Use the command Quadric offset,"
+            " which makes its exact offset."
+        )
+    return face
 
 
 def make_ruled_offset(edge_a, edge_b=None, distance=0, *, document=None, name="RuledOffset",
