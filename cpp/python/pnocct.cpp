@@ -161,6 +161,10 @@ std::vector<py::object> faces(const std::string& brep) {
   return result;
 }
 
+std::pair<double, double> pair_of(const pn::Measure& measure) {
+  return {measure.value, measure.error};
+}
+
 double volume(const std::string& brep) { return pn::volume(pn::from_brep(brep)); }
 double area(const std::string& brep) { return pn::area(pn::from_brep(brep)); }
 double trim_deviation(const std::string& brep) { return pn::trim_deviation(pn::from_brep(brep)); }
@@ -222,6 +226,14 @@ PYBIND11_MODULE(pnocct, m) {
         "Return the greatest distance (mm) between an edge and its curve on a face.\n\n"
         "Exact edges contribute their rounding, those along trims the error of their fit. It is\n"
         "measured at many points, not proved.");
+  m.def(
+      "measured_volume",
+      [](const std::string& brep) { return pair_of(pn::measured_volume(pn::from_brep(brep))); },
+      "brep"_a, "Return the volume (mm^3) and an estimate of its error, as `volume`.");
+  m.def(
+      "measured_area",
+      [](const std::string& brep) { return pair_of(pn::measured_area(pn::from_brep(brep))); },
+      "brep"_a, "Return the area (mm^2) and an estimate of its error, as `area`.");
   m.def("write_step", &write_step, "path"_a, "shapes"_a, "names"_a, "schema"_a = "AP214",
         "pcurves"_a = true,
         "Write shapes to a STEP file, one product each, with every double kept.\n\n"
