@@ -15,7 +15,7 @@ using pn::SharedVertices;
 namespace {
 
 pn::FaceBoundary add(SharedEdges& edges, const pn::BSplineSurface& surface) {
-  return edges.add(surface, pn::to_geometry(surface));
+  return edges.add(surface, pn::trim_images(surface, {pn::to_geometry(surface)}).front());
 }
 
 }  // namespace

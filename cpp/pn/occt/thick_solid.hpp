@@ -22,15 +22,23 @@ namespace pn {
 /// inside `outer`.
 TopoDS_Solid make_thick_solid(const TopoDS_Shell& inner, const TopoDS_Shell& outer);
 
-/// The solid between two shells of as many faces, each face of `inner` with its counterpart at the
-/// same place of `outer`: two offsets of one surface.
+/// The solids between two offsets of one surface, one for each part that hangs together: each face
+/// of `inner` has its counterpart at the same place of `outer`.
 ///
 /// Closed shells make a solid with a void, as above. Open ones are joined by walls, one along every
-/// free side: the ruled surface that joins points of equal parameter, exact, of degree 1 across.
-/// Neighbouring walls share their rulings. The faces come in the order inner, outer, walls.
+/// free edge: the ruled surface that joins points of equal parameter, of degree 1 across. Along
+/// sides a wall is exact; along trims both of its edges are fitted over the same knots, to 1e-9 mm,
+/// and it is exact between them. Neighbouring walls share their rulings. The faces of a solid come
+/// in the order inner, outer, walls.
 ///
-/// Throws std::invalid_argument when counterparts differ in degree, knots or multiplicities, when
-/// a face of open shells is trimmed, and as make_shell does.
+/// Throws std::invalid_argument when counterparts differ in degree, knots, multiplicities or trims,
+/// when one shell is closed and another open, and as make_shells does.
+std::vector<TopoDS_Solid> make_thick_solids(const std::vector<BSplineSurface>& inner,
+                                            const std::vector<BSplineSurface>& outer);
+
+/// The one solid between two offsets that hang together.
+///
+/// Throws std::invalid_argument when they do not, and as make_thick_solids does.
 TopoDS_Solid make_thick_solid(const std::vector<BSplineSurface>& inner,
                               const std::vector<BSplineSurface>& outer);
 
