@@ -35,9 +35,10 @@ constexpr int kGaussPoints = 10;
 constexpr int kKronrodPoints = 21;
 constexpr double kAgreement = 1e-10;
 
-// Halvings of a stretch. Only where a normal vanishes inside a face are they used up; the last
-// stretches are then too short to matter.
-constexpr int kHalvings = 12;
+// The part of the whole way below which a stretch is not halved any more. Only where a normal
+// vanishes inside a face does it come to that, and where two cuts nearly coincide, so that rounding
+// is all that is left of the integrand; what such a stretch adds is too little to matter.
+constexpr double kShortest = 1e-6;
 
 // A p-curve is searched for crossings of the knot lines of its surface in this many steps between
 // its own knots. Two crossings inside one step would cost accuracy, not correctness.
@@ -78,9 +79,10 @@ struct GaussKronrodRule {
   math_Vector gauss_weights;
 };
 
-// Integral of f, which gives Sums, from a to b, also where a > b.
+// Integral of f, which gives Sums, from a to b, also where a > b, by stretches not shorter than
+// `shortest`.
 template <class Function>
-Sum integral(const Function& f, double a, double b, int halvings = kHalvings) {
+Sum integral(const Function& f, double a, double b, double shortest) {
   if (a == b) return {};
   static const GaussKronrodRule rule;
   const double middle = (a + b) / 2;
@@ -93,25 +95,26 @@ Sum integral(const Function& f, double a, double b, int halvings = kHalvings) {
   }
   const double difference = std::abs(kronrod.value - gauss.value);
   const bool has_settled = difference <= kAgreement * kronrod.size;
-  if (halvings == 0 || has_settled) {
+  if (std::abs(half) < shortest || has_settled) {
     if (difference > 0) {
       kronrod.error += has_settled ? difference * std::sqrt(difference / kronrod.size) : difference;
     }
     return half * kronrod;
   }
-  Sum sum = integral(f, a, middle, halvings - 1);
-  return sum += integral(f, middle, b, halvings - 1);
+  Sum sum = integral(f, a, middle, shortest);
+  return sum += integral(f, middle, b, shortest);
 }
 
 // The same, split at `cuts` between a and b, in this order.
 template <class Function>
 Sum integral(const Function& f, double a, const std::vector<double>& cuts, double b) {
+  const double shortest = kShortest * std::abs(b - a);
   Sum sum;
   for (const double cut : cuts) {
-    sum += integral(f, a, cut);
+    sum += integral(f, a, cut, shortest);
     a = cut;
   }
-  return sum += integral(f, a, b);
+  return sum += integral(f, a, b, shortest);
 }
 
 std::vector<double> u_breaks(const GeomAdaptor_Surface& surface) {
