@@ -5,7 +5,9 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
@@ -26,12 +28,13 @@ TopoDS_Shape shell_of(const TopoDS_Solid& solid) {
 }
 
 bool contains_vertices(const TopoDS_Solid& outer, const TopoDS_Shape& inner) {
+  TopTools_IndexedMapOfShape vertices;
+  TopExp::MapShapes(inner, TopAbs_VERTEX, vertices);
   BRepClass3d_SolidClassifier classifier(outer);
-  for (TopExp_Explorer vertex(inner, TopAbs_VERTEX); vertex.More(); vertex.Next()) {
-    classifier.Perform(BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current())), Precision::Confusion());
-    if (classifier.State() != TopAbs_IN) return false;
-  }
-  return true;
+  return std::all_of(vertices.cbegin(), vertices.cend(), [&](const TopoDS_Shape& vertex) {
+    classifier.Perform(BRep_Tool::Pnt(TopoDS::Vertex(vertex)), Precision::Confusion());
+    return classifier.State() == TopAbs_IN;
+  });
 }
 
 TopoDS_Solid build_thick_solid(const TopoDS_Shell& inner, const TopoDS_Shell& outer) {
