@@ -20,9 +20,22 @@ from pnsurfaces.radius_law import (
     VALUES_AT_VERTICES,
     radius_law,
 )
+from pnsurfaces.shape import (
+    domed_solid_of_sections,
+    solid_of_sections,
+    uncapped_solid_of_sections,
+)
 from pnsurfaces.spine import read_spine
 
 GROUP = "Canal surface"
+
+# How the ends of a solid are closed. Without caps only a wall is a solid, closed by its normals,
+# and a pipe without ends.
+CAPS = {
+    "Flat": solid_of_sections,
+    "Spherical": domed_solid_of_sections,
+    "None": uncapped_solid_of_sections,
+}
 
 
 class CanalSurface(FeatureBase):
@@ -43,6 +56,9 @@ class CanalSurface(FeatureBase):
         Property("App::PropertyFloatList", "Radii", GROUP,
                  QT_TRANSLATE_NOOP("App::Property",
                                    "Radii at the vertices, or Bezier coefficients, in mm")),
+        Property("App::PropertyEnumeration", "Caps", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property", "How the ends of a solid are closed"),
+                 list(CAPS)),
     )
 
     def base(self, obj):
@@ -52,7 +68,11 @@ class CanalSurface(FeatureBase):
         spine = read_spine(source, names, container=obj.getParentGeoFeatureGroup())
         return Base(kernel.pnkernel().canal_surface(spine.curve, radius_law(obj, spine)))
 
+    def solid(self, obj, sections):
+        return CAPS[obj.Caps](sections)
+
     def onChanged(self, obj, name):
+        super().onChanged(obj, name)
         # While a document is read, other properties may not be there yet.
         if name == "RadiusLaw" and not obj.Document.Restoring:
             _show_inputs_of_law(obj)

@@ -9,22 +9,24 @@ import FreeCAD
 
 from pnsurfaces.edge_chain import CONFUSION
 from pnsurfaces.kernel import KernelMissing
-from pnsurfaces.shape import solid_of_sections, storage_loss, surface_of_sections
+from pnsurfaces.shape import measured, solid_of_sections, storage_loss, surface_of_sections
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 # The choice of Sides that makes one surface, and that of Output whose two surfaces are a wall.
 ONE_SIDE = "Offset"
+TWO_OFFSETS = "Two offsets"
 SOLID = "Solid"
 
 # The distances that each choice shows, the smallest first.
 SIDES = {
-    ONE_SIDE: lambda distance: [distance],
-    "Base and offset": lambda distance: sorted({0.0, distance}),
-    "Both sides": lambda distance: sorted({-distance, distance}),
+    ONE_SIDE: lambda distance, second: [distance],
+    "Base and offset": lambda distance, second: sorted({0.0, distance}),
+    "Both sides": lambda distance, second: sorted({-distance, distance}),
+    TWO_OFFSETS: lambda distance, second: sorted({distance, second}),
 }
 
-OUTPUTS = {"Surface": surface_of_sections, SOLID: solid_of_sections}
+OUTPUTS = ["Surface", SOLID]
 
 # What the user chooses, and what the kernel calls it.
 PARAMETER_LINES = {"Even": "even", "Lowest degree": "lowest_degree"}
@@ -80,9 +82,12 @@ OFFSET_INPUTS = (
     Property("App::PropertyEnumeration", "Sides", "Offset",
              QT_TRANSLATE_NOOP("App::Property", "The surfaces that are made"),
              list(SIDES)),
+    Property("App::PropertyDistance", "SecondDistance", "Offset",
+             QT_TRANSLATE_NOOP("App::Property",
+                               "Signed distance of the other one of two offsets")),
     Property("App::PropertyEnumeration", "Output", "Offset",
              QT_TRANSLATE_NOOP("App::Property", "Open surfaces, or a solid with closed ends"),
-             list(OUTPUTS)),
+             OUTPUTS),
     Property("App::PropertyEnumeration", "ParameterLines", "Offset",
              QT_TRANSLATE_NOOP("App::Property",
                                "Smooth faces with even parameter lines, or the lowest degree"),
@@ -104,6 +109,14 @@ RESULTS = (
     result("App::PropertyString", "TrimDeviation",
            QT_TRANSLATE_NOOP("App::Property",
                              "Measured distance of the cut edges from the surface")),
+    result("App::PropertyArea", "Area",
+           QT_TRANSLATE_NOOP("App::Property", "Area of all faces, by integration")),
+    result("App::PropertyString", "AreaError",
+           QT_TRANSLATE_NOOP("App::Property", "Estimated error of the area")),
+    result("App::PropertyVolume", "Volume",
+           QT_TRANSLATE_NOOP("App::Property", "Volume of a solid, by integration")),
+    result("App::PropertyString", "VolumeError",
+           QT_TRANSLATE_NOOP("App::Property", "Estimated error of the volume")),
     result("App::PropertyBool", "Exact",
            QT_TRANSLATE_NOOP("App::Property", "Whether only rounding to doubles deviates")),
     result("App::PropertyStringList", "Notes",
@@ -138,10 +151,15 @@ class FeatureBase:
         """The surface at distance 0 (Base), from the subclass's inputs."""
         raise NotImplementedError
 
+    def solid(self, obj, sections):
+        """The solid inside one section or between two: lists of faces, the innermost first."""
+        return solid_of_sections(sections)
+
     def execute(self, obj):
         """Makes the shape and the results; on failure keeps both and says why."""
         try:
             shape, results = self._computed(obj)
+            results.update(measured(shape))
         except Exception as error:
             obj.Status = f"Error: {error}"
             raise
@@ -150,6 +168,11 @@ class FeatureBase:
             setattr(obj, name, value)
         if obj.Status != VALID:
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {obj.Status}\n")
+
+    def onChanged(self, obj, name):
+        # While a document is read, other properties may not be there yet.
+        if name == "Sides" and not obj.Document.Restoring:
+            _show_second_distance(obj)
 
     def onDocumentRestored(self, obj):
         """Adds the properties that the saving program did not know, and the digits it cut."""
@@ -167,7 +190,7 @@ class FeatureBase:
         lines = PARAMETER_LINES[obj.ParameterLines]
         faces = [section.bsplines(lines=lines) for section in sections]
         certificates = [section.certificate_of(lines) for section in sections]
-        shape = OUTPUTS[obj.Output](faces)
+        shape = self.solid(obj, faces) if obj.Output == SOLID else surface_of_sections(faces)
         return shape, {**_results(base, sections, faces, certificates), **base.results}
 
     def _restore_digits(self, obj):
@@ -199,7 +222,18 @@ class FeatureBase:
                 obj.addProperty(entry.type, entry.name, entry.group, entry.doc, entry.attributes)
                 if entry.value is not None:
                     setattr(obj, entry.name, entry.value)
+            elif entry.type == "App::PropertyEnumeration":
+                _offer_all_choices(obj, entry)
         obj.SchemaVersion = self.schema_version
+        _show_second_distance(obj)
+
+
+def _offer_all_choices(obj, entry):
+    """Adds the choices that the program which saved the document did not know."""
+    if obj.getEnumerationsOfProperty(entry.name) != entry.value:
+        chosen = getattr(obj, entry.name)
+        setattr(obj, entry.name, entry.value)
+        setattr(obj, entry.name, chosen)
 
 
 def make_feature(proxy, document, name, values):
@@ -229,6 +263,11 @@ def show_only(obj, shown, names):
         obj.setEditorMode(name, _SHOWN if name in shown else _HIDDEN)
 
 
+def _show_second_distance(obj):
+    shown = {"SecondDistance"} if obj.Sides == TWO_OFFSETS else set()
+    show_only(obj, shown, ["SecondDistance"])
+
+
 def deviation_text(deviation):
     """A distance in millimetres as text: the property editor would show a length as 0.00 mm."""
     return f"{deviation:.1e} mm" if deviation else "0 mm"
@@ -236,7 +275,7 @@ def deviation_text(deviation):
 
 def _distances(obj):
     """The distances of the surfaces that are shown, the smallest first."""
-    distances = SIDES[obj.Sides](obj.Distance.Value)
+    distances = SIDES[obj.Sides](obj.Distance.Value, obj.SecondDistance.Value)
     thickness = distances[-1] - distances[0]
     if obj.Output == SOLID and obj.Sides != ONE_SIDE and thickness <= CONFUSION:
         raise ValueError(f"The wall would be {thickness:.2g} mm thick. Give it a distance.")

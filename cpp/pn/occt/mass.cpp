@@ -79,8 +79,8 @@ struct GaussKronrodRule {
   math_Vector gauss_weights;
 };
 
-// Integral of f, which gives Sums, from a to b, also where a > b, by stretches not shorter than
-// `shortest`.
+// Integral of f, which gives Sums, from a to b, also where a > b. Stretches are halved down to
+// `shortest`, and never beyond neighbouring doubles.
 template <class Function>
 Sum integral(const Function& f, double a, double b, double shortest) {
   if (a == b) return {};
@@ -95,7 +95,8 @@ Sum integral(const Function& f, double a, double b, double shortest) {
   }
   const double difference = std::abs(kronrod.value - gauss.value);
   const bool has_settled = difference <= kAgreement * kronrod.size;
-  if (std::abs(half) < shortest || has_settled) {
+  const bool is_short = std::abs(half) < shortest || middle == a || middle == b;
+  if (is_short || has_settled) {
     if (difference > 0) {
       kronrod.error += has_settled ? difference * std::sqrt(difference / kronrod.size) : difference;
     }
