@@ -48,6 +48,21 @@ class CreationTest(QuadricOffsetTest):
         self.document.redo()
         self.assertEqual(poles(self.document.QuadricOffset), made)
 
+    def test_wall_of_a_sector(self):
+        feature, panel = self.open_quadric_panel()
+        input_of(panel, "Region").setCurrentText("Sector")
+        main_window.type_text(input_of(panel, "MaxAngle"), "250")
+        main_window.type_text(input_of(panel, "Distance"), "2")
+        input_of(panel, "Sides").setCurrentText("Base and offset")
+        input_of(panel, "Output").setCurrentText("Solid")
+        wait_for_preview()
+        for curve in (self.line, self.spline):
+            curve.ViewObject.hide()
+        main_window.screenshot("quadric_wall")
+        self.assertEqual(input_of(panel, "status").text(), "Valid")
+        self.assertEqual(feature.Shape.ShapeType, "Solid")
+        main_window.confirm(panel)
+
     def test_cancel_leaves_nothing(self):
         objects = self.document.Objects
         _, panel = self.open_quadric_panel()

@@ -52,6 +52,23 @@ class CreationTest(RuledOffsetTest):
         self.document.redo()
         self.assertEqual(poles(self.document.RuledOffset), made)
 
+    def test_wall_between_splines_of_different_degrees_and_knots(self):
+        curve = Part.BSplineCurve()
+        poles = [Vector(-10, 30, 70), Vector(40, 50, 90), Vector(80, 10, 80), Vector(120, 80, 90)]
+        curve.buildFromPolesMultsKnots(poles, [3, 1, 3], [0.0, 0.3, 1.0], False, 2)
+        upper = self.shape_object(curve.toShape(), "Upper")
+        feature, panel = self.open_ruled_panel((self.spline, "Edge1"), (upper, "Edge1"))
+        main_window.type_text(input_of(panel, "Distance"), "2.5")
+        input_of(panel, "Sides").setCurrentText("Both sides")
+        input_of(panel, "Output").setCurrentText("Solid")
+        wait_for_preview()
+        self.line.ViewObject.hide()
+        self.rail.ViewObject.hide()
+        main_window.screenshot("ruled_wall")
+        self.assertEqual(input_of(panel, "status").text(), "Valid")
+        self.assertEqual(feature.Shape.ShapeType, "Solid")
+        main_window.confirm(panel)
+
     def test_cancel_leaves_nothing(self):
         objects = self.document.Objects
         _, panel = self.open_between_lines()
