@@ -5,7 +5,7 @@ import FreeCADGui
 import main_window
 import Part
 from FreeCAD import Matrix
-from support import GuiTest, input_of, poles, wait_for_preview
+from support import GuiTest, input_of, make_wall, poles, wait_for_preview
 
 from pnsurfaces.quadric_offset import KINDS
 
@@ -52,10 +52,7 @@ class CreationTest(QuadricOffsetTest):
         feature, panel = self.open_quadric_panel()
         input_of(panel, "Region").setCurrentText("Sector")
         main_window.type_text(input_of(panel, "MaxAngle"), "250")
-        main_window.type_text(input_of(panel, "Distance"), "2")
-        input_of(panel, "Sides").setCurrentText("Base and offset")
-        input_of(panel, "Output").setCurrentText("Solid")
-        wait_for_preview()
+        make_wall(panel, "2", "Base and offset")
         for curve in (self.line, self.spline):
             curve.ViewObject.hide()
         main_window.screenshot("quadric_wall")

@@ -5,7 +5,7 @@ import FreeCADGui
 import main_window
 import Part
 from FreeCAD import Vector
-from support import GuiTest, input_of, poles, wait_for_preview
+from support import GuiTest, input_of, make_wall, poles, wait_for_preview
 
 COMMAND = "PNSurfaces_RuledOffset"
 QUESTION = "Select two edges, wires or sketches first, or one ruled face."
@@ -58,10 +58,7 @@ class CreationTest(RuledOffsetTest):
         curve.buildFromPolesMultsKnots(poles, [3, 1, 3], [0.0, 0.3, 1.0], False, 2)
         upper = self.shape_object(curve.toShape(), "Upper")
         feature, panel = self.open_ruled_panel((self.spline, "Edge1"), (upper, "Edge1"))
-        main_window.type_text(input_of(panel, "Distance"), "2.5")
-        input_of(panel, "Sides").setCurrentText("Both sides")
-        input_of(panel, "Output").setCurrentText("Solid")
-        wait_for_preview()
+        make_wall(panel, "2.5", "Both sides")
         self.line.ViewObject.hide()
         self.rail.ViewObject.hide()
         main_window.screenshot("ruled_wall")
