@@ -12,7 +12,7 @@ import FreeCADGui
 import main_window
 import Part
 from FreeCAD import Vector
-from support import GuiTest, input_of, poles, wait_for_preview
+from support import GuiTest, input_of, make_wall, poles, wait_for_preview
 
 from pnsurfaces import kernel
 
@@ -363,10 +363,7 @@ class PanelTest(GuiTest):
         feature, panel = self.open_panel(self.spline, "Edge1")
         input_of(panel, "RadiusLaw").setCurrentText("Linear")
         main_window.type_text(input_of(panel, "EndRadius"), "12")
-        main_window.type_text(input_of(panel, "Distance"), "1")
-        input_of(panel, "Sides").setCurrentText("Both sides")
-        input_of(panel, "Output").setCurrentText("Solid")
-        wait_for_preview()
+        make_wall(panel, "1", "Both sides")
         self.assertTrue(feature.isValid(), feature.getStatusString())
         main_window.screenshot("wall")
         main_window.confirm(panel)

@@ -5,7 +5,7 @@ import FreeCADGui
 import main_window
 import Part
 from FreeCAD import Matrix
-from support import GuiTest, input_of, poles, wait_for_preview
+from support import GuiTest, input_of, make_wall, poles, wait_for_preview
 
 from pnsurfaces.quadric_offset import KINDS
 
@@ -47,6 +47,18 @@ class CreationTest(QuadricOffsetTest):
         self.assertIsNone(self.document.getObject("QuadricOffset"))
         self.document.redo()
         self.assertEqual(poles(self.document.QuadricOffset), made)
+
+    def test_wall_of_a_sector(self):
+        feature, panel = self.open_quadric_panel()
+        input_of(panel, "Region").setCurrentText("Sector")
+        main_window.type_text(input_of(panel, "MaxAngle"), "250")
+        make_wall(panel, "2", "Base and offset")
+        for curve in (self.line, self.spline):
+            curve.ViewObject.hide()
+        main_window.screenshot("quadric_wall")
+        self.assertEqual(input_of(panel, "status").text(), "Valid")
+        self.assertEqual(feature.Shape.ShapeType, "Solid")
+        main_window.confirm(panel)
 
     def test_cancel_leaves_nothing(self):
         objects = self.document.Objects

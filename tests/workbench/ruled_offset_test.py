@@ -198,8 +198,23 @@ class Errors(Recovery, RuledOffsetTest):
             with self.subTest(shape.Faces[0].Surface.TypeId):
                 self.obj.Face = (self.shape_object(shape, "Round"), ["Face1"])
                 self.assert_fails_and_recovers(
-                    "Use the command Quadric offset", lambda: setattr(self.obj, "Face", None)
+                    "The command Quadric offset makes", lambda: setattr(self.obj, "Face", None)
                 )
+
+    def test_circles_of_one_axis(self):
+        """Those of a cylinder or cone are refused; turned against each other they are skew."""
+        lower, upper = Part.makeCircle(10), Part.makeCircle(6, Vector(0, 0, 20))
+        self.first.Shape, self.last.Shape = lower, upper
+
+        def repair():
+            self.first.Shape = polyline(*SKEW[0])
+            self.repair()
+
+        self.assert_fails_and_recovers("Both circles have one axis", repair)
+        upper.rotate(Vector(), Vector(0, 0, 1), 40)
+        self.first.Shape, self.last.Shape = lower, upper
+        self.document.recompute()
+        self.assertNotIn("one axis", self.obj.Status)
 
     def test_a_wall_without_thickness(self):
         self.obj.Sides, self.obj.Output, self.obj.Distance = "Both sides", "Solid", 0

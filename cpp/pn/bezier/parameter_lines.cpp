@@ -373,10 +373,15 @@ class Planner {
   void plan_region() {
     const auto& region = std::get<BoundedRegion>(chain_.extent);
     const RegionCircles circles = region_circles(region, estimates_.front());
-    for (const RegionAttempt& attempt : kRegionAttempts) {
+    const auto plan = [&](const RegionAttempt& attempt) {
       target_ = std::make_unique<RegionLines>(estimates_.front(), circles, attempt.arc(circles),
                                               attempt.margin);
       segments_ = region_parts(circles, std::min(attempt.lines_degree, room(0)));
+    };
+    // Whole circles have constant lines: there is nothing to try.
+    if (circles.boundary.empty()) return plan(kRegionAttempts.front());
+    for (const RegionAttempt& attempt : kRegionAttempts) {
+      plan(attempt);
       do {
         if (is_region_covered(circles.boundary)) return;
       } while (halve_bad_segments(attempt.halvings));
