@@ -9,6 +9,7 @@ import FreeCADGui
 
 from pnsurfaces import resources
 from pnsurfaces.compat import QtCore, QtGui, QtWidgets, connect
+from pnsurfaces.feature import SOLID, TWO_OFFSETS
 
 translate = FreeCAD.Qt.translate
 
@@ -64,7 +65,8 @@ class TaskPanel:
         """`inputs` is the form with the inputs of this kind of surface."""
         self.feature = feature
         self._result = load_form("result")
-        self.form = [inputs, load_form("offset"), self._result]
+        self._offset = load_form("offset")
+        self.form = [inputs, self._offset, self._result]
         self._document = feature.Document
         self._was_touched = "Touched" in feature.State
         self._before = {}
@@ -76,6 +78,9 @@ class TaskPanel:
             form.setWindowIcon(icon)
         for form in self.form[:-1]:
             self._bind(form)
+        for combo_box in (self._offset.Sides, self._offset.Output):
+            connect(combo_box, "currentTextChanged(QString)", self._show_rows_of_offset)
+        self._show_rows_of_offset()
         self.show_result()
 
     def assign(self, name, value):
@@ -144,6 +149,15 @@ class TaskPanel:
             # A number box that loses the focus reports its value once more.
             for widget in form.findChildren(QtWidgets.QWidget):
                 widget.blockSignals(True)
+
+    def _show_rows_of_offset(self):
+        """Shows the second distance of two offsets, and the caps of a solid that can have them."""
+        has_second = self.feature.Sides == TWO_OFFSETS
+        has_caps = "Caps" in self.feature.PropertiesList and self.feature.Output == SOLID
+        for widget in (self._offset.second_distance_label, self._offset.SecondDistance):
+            widget.setVisible(has_second)
+        for widget in (self._offset.caps_label, self._offset.Caps):
+            widget.setVisible(has_caps)
 
     def _open_transaction(self):
         # The command that creates a surface has opened its own.
@@ -228,6 +242,8 @@ def literal(value):
 def _display(value):
     if isinstance(value, bool):
         return translate("PNSurfaces", "Yes") if value else translate("PNSurfaces", "No")
+    if isinstance(value, FreeCAD.Units.Quantity):
+        return value.UserString if value else translate("PNSurfaces", "none")
     return str(value)
 
 
