@@ -34,6 +34,14 @@ inline void add_product(ComplexBall& sum, const ComplexBall& a, const ComplexBal
 }
 inline void add_product(Rational& sum, const Rational& a, const Rational& b) { sum += a * b; }
 
+/// The same of polynomials by their coefficients; of balls in ball.hpp.
+template <class T>
+void add_product(std::vector<T>& sum, const std::vector<T>& a, const std::vector<T>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) add_product(sum[i + j], a[i], b[j]);
+  }
+}
+
 template <class T>
 class Form {
  public:
@@ -100,6 +108,14 @@ class Form {
       coefficients_[i] -= other.coefficients_[i];
     return *this;
   }
+  /// *this += a b; in the sum the smaller formal degree is raised.
+  Form& add_product(const Form& a, const Form& b) {
+    if (a.coefficients_.empty() || b.coefficients_.empty()) return *this;
+    const std::size_t size = a.coefficients_.size() + b.coefficients_.size() - 1;
+    if (coefficients_.size() < size) coefficients_.resize(size);
+    pn::add_product(coefficients_, a.coefficients_, b.coefficients_);
+    return *this;
+  }
   friend Form operator+(Form a, const Form& b) { return std::move(a += b); }
   friend Form operator-(Form a, const Form& b) { return std::move(a -= b); }
   friend Form operator*(Form a, const T& factor) {
@@ -107,11 +123,8 @@ class Form {
     return a;
   }
   friend Form operator*(const Form& a, const Form& b) {
-    if (a.coefficients_.empty() || b.coefficients_.empty()) return Form();
-    Form result = zero(a.degree() + b.degree());
-    for (int i = 0; i <= a.degree(); ++i) {
-      for (int j = 0; j <= b.degree(); ++j) add_product(result[i + j], a[i], b[j]);
-    }
+    Form result;
+    result.add_product(a, b);
     return result;
   }
 

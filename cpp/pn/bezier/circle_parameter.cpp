@@ -58,9 +58,10 @@ Bernstein operator*(const Bernstein& a, const Bernstein& b) {
   return product;
 }
 
-Bernstein power(const Bernstein& a, int exponent) {
-  Bernstein result{Rational(1)};
-  for (int i = 0; i < exponent; ++i) result = result * a;
+/// 1, a, a^2, ..., a^most.
+std::vector<Bernstein> powers(const Bernstein& a, int most) {
+  std::vector<Bernstein> result = {{Rational(1)}};
+  for (int i = 0; i < most; ++i) result.push_back(result.back() * a);
   return result;
 }
 
@@ -71,10 +72,12 @@ std::vector<std::vector<Rational>> composed(const std::vector<Point>& p, int for
     u0.push_back(point[0]);
     u1.push_back(point[1]);
   }
+  const std::vector<Bernstein> powers_of_u0 = powers(u0, form_degree),
+                               powers_of_u1 = powers(u1, form_degree);
   const std::size_t count = form_degree * (p.size() - 1) + 1;
   std::vector<std::vector<Rational>> columns(count);
   for (int i = 0; i <= form_degree; ++i) {
-    const Bernstein monomial = power(u0, form_degree - i) * power(u1, i);
+    const Bernstein monomial = powers_of_u0[form_degree - i] * powers_of_u1[i];
     for (std::size_t j = 0; j < count; ++j) {
       columns[j].push_back(monomial[j] * binomial(form_degree, i));
     }
