@@ -45,7 +45,9 @@ FormInU<T> operator+(const FormInU<T>& a, const FormInU<T>& b) {
 
 template <class T>
 FormInU<T> operator-(FormInU<T> a) {
-  for (Form<T>& c : a.coefficient) c = c * T(-1.0);
+  for (Form<T>& c : a.coefficient) {
+    for (int i = 0; i <= c.degree(); ++i) c[i] = -c[i];
+  }
   return a;
 }
 
