@@ -65,6 +65,7 @@ TEST_CASE("The derivative obeys Leibniz and keeps its formal degree", "[form]") 
   CHECK((a * b).derivative().coefficients() ==
         (a.derivative() * b + a * b.derivative()).coefficients());
   CHECK(form({1, 2, 0}).derivative().degree() == 1);
+  CHECK(b.slope(Rational(3L)) == b.derivative()(Rational(3L)));
   CHECK(form({4}).derivative().coefficients() == form({0}).coefficients());
 }
 

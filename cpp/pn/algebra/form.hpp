@@ -66,6 +66,17 @@ class Form {
     }
     return value;
   }
+  /// The derivative by t at t, with s = 1.
+  T slope(const T& t) const {
+    T value{}, slope{};
+    for (std::size_t i = coefficients_.size(); i-- > 0;) {
+      slope *= t;
+      slope += value;
+      value *= t;
+      value += coefficients_[i];
+    }
+    return slope;
+  }
   /// The coefficient of t^degree: the value at infinity (t : s) = (1 : 0).
   T at_infinity() const { return coefficients_.empty() ? T{} : coefficients_.back(); }
 
