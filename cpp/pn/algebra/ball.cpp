@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/algebra/ball.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace pn {
@@ -135,10 +136,20 @@ void for_each_coefficient(const std::vector<Number>& a, const std::vector<Number
 }  // namespace
 
 RealBall dot(const std::vector<RealBall>& a, const std::vector<RealBall>& b) {
+  // Few numbers at once, so that they need no memory of their own.
+  constexpr std::size_t kAtOnce = 8;
+  std::array<arb_struct, kAtOnce> x, y;
   const long precision = std::max(precision_of(a), precision_of(b));
   RealBall sum = RealBall().at_precision(precision);
-  arb_dot(sum.arb(), nullptr, 0, lent(a).data(), 1, lent(b).data(), 1, static_cast<slong>(a.size()),
-          precision);
+  for (std::size_t first = 0; first < a.size(); first += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, a.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      x[i] = number(a[first + i]);
+      y[i] = number(b[first + i]);
+    }
+    arb_dot(sum.arb(), sum.arb(), 0, x.data(), 1, y.data(), 1, static_cast<slong>(count),
+            precision);
+  }
   return sum;
 }
 

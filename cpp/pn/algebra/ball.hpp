@@ -268,11 +268,11 @@ class ComplexBall {
 /// The principal square root.
 ComplexBall sqrt(const ComplexBall& z);
 
-/// a_0 b_0 + a_1 b_1 + ..., rounded once: many times as fast as term by term. (F. Johansson, Faster
-/// arbitrary-precision dot product and matrix multiplication, ARITH 26, 2019.)
+/// a_0 b_0 + a_1 b_1 + ..., rounded seldom: several times as fast as term by term. (F. Johansson,
+/// Faster arbitrary-precision dot product and matrix multiplication, ARITH 26, 2019.)
 RealBall dot(const std::vector<RealBall>& a, const std::vector<RealBall>& b);
 
-/// sum_k += a_0 b_k + a_1 b_(k-1) + ... + a_k b_0, each rounded once: a product of polynomials, or
+/// sum_k += a_0 b_k + a_1 b_(k-1) + ... + a_k b_0, rounded likewise: a product of polynomials, or
 /// as many of its coefficients as the sum has. Neither factor is empty.
 void add_product(std::vector<RealBall>& sum, const std::vector<RealBall>& a,
                  const std::vector<RealBall>& b);

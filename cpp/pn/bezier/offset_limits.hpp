@@ -37,9 +37,8 @@ struct OffsetRange {
 };
 
 /// The certified range: it lies inside the true one. Of chains along curves of spheres by the
-/// corollary, of others by the curvature of their base (curvature_limits.hpp). Its ends are within
-/// a few times `tolerance` [mm] of it, except next to a cusp of the spine; the empty range where
-/// nothing can be proved.
+/// corollary, of others by the curvature of their base (curvature_limits.hpp). Its ends are within a few times `tolerance`
+/// [mm] of it, except next to a cusp of the spine; the empty range where nothing can be proved.
 OffsetRange regular_range(const EnvelopeChain& chain, double tolerance);
 
 /// A tolerance in proportion to the surface: 1e-9 of the largest radius or chord of a link.
