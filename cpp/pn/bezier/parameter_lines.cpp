@@ -487,9 +487,9 @@ class Planner {
     for_each_index(segments_.size(), [&](std::size_t i) {
       const Carrier<double> carrier = estimated_carrier(segments_[i]);
       const auto w = isotropic_vector<double>(lined<double>(spinors[i], factors[i]));
-      const WeightRange weights = weight_range(sections(carrier, w).weight, band);
-      const bool is_even = weights.least > least_weight_ratio * weights.largest;
       const auto& rulings = std::get<RulingForms<double>>(carrier);
+      const WeightRange weights = weight_range(section_weight(rulings, w), band);
+      const bool is_even = weights.least > least_weight_ratio * weights.largest;
       bad_[i] = !is_even || !reaches(directrix_forms(rulings, w));
     });
     return std::none_of(bad_.begin(), bad_.end(), [](char bad) { return bad != 0; });
