@@ -165,7 +165,7 @@ py::dict write_step(const std::filesystem::path& path, const std::vector<std::st
   PythonProgress shown(std::move(progress));
   try {
     return report_from(
-        pn::write_step(path, named, {schema_named(schema), pcurves}, std::ref(shown)));
+        pn::write_verified_step(path, named, {schema_named(schema), pcurves}, std::ref(shown)));
   } catch (const pn::Cancelled&) {
     shown.rethrow();
     throw;

@@ -181,26 +181,42 @@ RoundTrip read_back(const std::filesystem::path& path, const std::vector<NamedSh
   return result;
 }
 
-}  // namespace
-
-StepReport write_step(const std::filesystem::path& path, const std::vector<NamedShape>& shapes,
-                      const StepOptions& options, const Progress& progress) {
+// Does the work on a file aside, which gets its name when all is well, and gives its result.
+template <class Work>
+auto with_file_aside(const std::filesystem::path& path, const Work& work) {
   std::filesystem::path partial = path;
   partial += ".partial";
   try {
-    StepReport report = with_occt_errors([&] {
-      const Handle(ProgressIndicator) indicator = new ProgressIndicator(progress);
-      Message_ProgressScope scope(indicator->Start(), "STEP export", kAllShares);
-      write_model(partial, shapes, options, scope);
-      return StepReport{read_back(partial, shapes, scope), std::filesystem::file_size(partial)};
-    });
+    auto result = with_occt_errors([&] { return work(partial); });
     std::filesystem::rename(partial, path);
-    return report;
+    return result;
   } catch (...) {
     std::error_code none_written;
     std::filesystem::remove(partial, none_written);
     throw;
   }
+}
+
+}  // namespace
+
+void write_step(const std::filesystem::path& path, const std::vector<NamedShape>& shapes,
+                const StepOptions& options) {
+  with_file_aside(path, [&](const std::filesystem::path& file) {
+    Message_ProgressScope unwatched(Message_ProgressRange(), "STEP export", kAllShares);
+    write_model(file, shapes, options, unwatched);
+    return std::filesystem::file_size(file);
+  });
+}
+
+StepReport write_verified_step(const std::filesystem::path& path,
+                               const std::vector<NamedShape>& shapes, const StepOptions& options,
+                               const Progress& progress) {
+  return with_file_aside(path, [&](const std::filesystem::path& file) {
+    const Handle(ProgressIndicator) indicator = new ProgressIndicator(progress);
+    Message_ProgressScope scope(indicator->Start(), "STEP export", kAllShares);
+    write_model(file, shapes, options, scope);
+    return StepReport{read_back(file, shapes, scope), std::filesystem::file_size(file)};
+  });
 }
 
 std::vector<TopoDS_Shape> read_step(const std::filesystem::path& path) {

@@ -51,15 +51,20 @@ struct StepReport {
   std::uintmax_t bytes = 0;
 };
 
-/// Writes the shapes, in millimetres, each as one product, every real with 17 significant digits,
-/// and reads the file back to compare.
+/// Writes the shapes, in millimetres, each as one product, every real with 17 significant digits.
 ///
-/// The file appears under its name only when it is complete and holds just what was written; until
-/// then, and after any failure, a file of that name stays as it is. Throws
-/// std::filesystem::filesystem_error when it cannot be written, OcctError when OpenCASCADE cannot
-/// translate a shape, RoundTripError when it does not come back, Cancelled.
-StepReport write_step(const std::filesystem::path& path, const std::vector<NamedShape>& shapes,
-                      const StepOptions& options = {}, const Progress& progress = {});
+/// The file appears under its name only when it is complete; until then, and after any failure, a
+/// file of that name stays as it is. Throws std::filesystem::filesystem_error when it cannot be
+/// written, OcctError when OpenCASCADE cannot translate a shape.
+void write_step(const std::filesystem::path& path, const std::vector<NamedShape>& shapes,
+                const StepOptions& options = {});
+
+/// The same, but the file is read back first, and appears only when it holds just what was written.
+///
+/// Throws also RoundTripError and Cancelled.
+StepReport write_verified_step(const std::filesystem::path& path,
+                               const std::vector<NamedShape>& shapes,
+                               const StepOptions& options = {}, const Progress& progress = {});
 
 /// The shapes of a STEP file, one for each root product, in millimetres. OpenCASCADE makes closed
 /// surfaces periodic; `from_geometry` undoes this.
