@@ -122,8 +122,7 @@ py::dict report_from(const pn::StepReport& report) {
   using py::literals::operator""_a;
   const pn::RoundTrip& found = report.round_trip;
   return py::dict("faces"_a = found.faces, "bspline_faces"_a = found.bspline_faces,
-                  "poles"_a = found.poles, "area"_a = found.area, "volume"_a = found.volume,
-                  "bytes"_a = report.bytes);
+                  "poles"_a = found.poles, "volume"_a = found.volume, "bytes"_a = report.bytes);
 }
 
 // What `progress`, a function of Python or None, raises is kept for the caller: it may not pass
@@ -269,7 +268,7 @@ PYBIND11_MODULE(pnocct, m) {
       "what it raises breaks the export off. The file appears, and replaces an old one, only when\n"
       "it is complete and holds what was written: faces, poles, weights and knots bit for bit,\n"
       "areas, volume, validity. Returns what was compared: a dict with faces, bspline_faces,\n"
-      "poles, area, volume and bytes. Raises OSError when the file cannot be written,\n"
+      "poles, volume and bytes. Raises OSError when the file cannot be written,\n"
       "RoundTripError when it does not hold what was written.");
   m.def("read_step", &read_step, "path"_a,
         "Return the shapes of a STEP file, one for each root product.\n\n"

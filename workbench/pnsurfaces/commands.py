@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The commands of the workbench. What they do is the script that a recorded macro repeats."""
 
+import os
+
 import FreeCAD
 import FreeCADGui
 
@@ -160,17 +162,23 @@ class ExportStepCommand:
         path, _ = QtWidgets.QFileDialog.getSaveFileName(
             FreeCADGui.getMainWindow(),
             translate("PNSurfaces", "STEP export"),
-            f"{objects[0].Label}.step",
+            os.path.join(preferences.step_folder(), f"{objects[0].Label}.step"),
             translate("PNSurfaces", "STEP files (*.step *.stp)"),
         )
         if not path:
             return
-        schema = preferences.step_schema()
+        preferences.remember_step_folder(os.path.dirname(path))
+        options = (
+            f"schema={preferences.step_schema()!r},"
+            f" parametric_curves={preferences.step_parametric_curves()!r}"
+        )
         FreeCADGui.doCommand("import pnsurfaces")
         try:
             FreeCADGui.doCommand(
-                f"pnsurfaces.export_step({literal(objects)}, {path!r}, schema={schema!r})"
+                f"pnsurfaces.export_step({literal(objects)}, {path!r}, {options})"
             )
+        except FreeCAD.Base.FreeCADAbort:
+            FreeCAD.Console.PrintMessage(translate("PNSurfaces", "STEP export cancelled.") + "\n")
         except Exception as error:
             _explain(str(error))
 

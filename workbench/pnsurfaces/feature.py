@@ -53,6 +53,15 @@ class Base(NamedTuple):
     results: Any = MappingProxyType({})
 
 
+class Sections(NamedTuple):
+    """What a feature shows: its Base and, for each distance, a surface, its faces and certificate."""
+
+    base: Base
+    surfaces: list
+    faces: list
+    certificates: list
+
+
 class Property(NamedTuple):
     """A property of a feature. `value` is its default, or the choices of an enumeration."""
 
@@ -154,16 +163,22 @@ class FeatureBase:
             obj.DeviationBound = float(obj.Deviation.removesuffix(" mm"))
         self._restore_digits(obj)
 
-    def _computed(self, obj):
-        """The shape and the values of the result properties, by name."""
+    def sections(self, obj):
+        """The Sections of the present inputs, whatever the shape shows."""
         base = self.base(obj)
         distances = SIDES[obj.Sides](obj.Distance.Value)
-        sections = [base.surface.offset(distance) for distance in distances]
+        surfaces = [base.surface.offset(distance) for distance in distances]
         lines = PARAMETER_LINES[obj.ParameterLines]
-        faces = [section.bsplines(lines=lines) for section in sections]
-        certificates = [section.certificate_of(lines) for section in sections]
+        faces = [surface.bsplines(lines=lines) for surface in surfaces]
+        return Sections(
+            base, surfaces, faces, [surface.certificate_of(lines) for surface in surfaces]
+        )
+
+    def _computed(self, obj):
+        """The shape and the values of the result properties, by name."""
+        base, surfaces, faces, certificates = self.sections(obj)
         shape = OUTPUTS[obj.Output](faces)
-        return shape, {**_results(base, sections, faces, certificates), **base.results}
+        return shape, {**_results(base, surfaces, faces, certificates), **base.results}
 
     def _restore_digits(self, obj):
         """Replaces a shape that lost digits in the file by the exact one, and no other shape."""

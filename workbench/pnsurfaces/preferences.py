@@ -3,11 +3,11 @@
 
 import FreeCAD
 
+from pnsurfaces.export import SCHEMAS
 from pnsurfaces.feature import PARAMETER_LINES
 
 # In the order of the boxes of resources/ui/preferences.ui, which store an index.
 _PARAMETER_LINES = tuple(PARAMETER_LINES)
-_STEP_SCHEMAS = ("AP203", "AP214", "AP242")
 
 
 def distance():
@@ -22,7 +22,21 @@ def parameter_lines():
 
 def step_schema():
     """The schema of exported STEP files: "AP203", "AP214" or "AP242"."""
-    return _STEP_SCHEMAS[_parameters().GetInt("StepSchema", 1)]
+    return SCHEMAS[_parameters().GetInt("StepSchema", 1)]
+
+
+def step_parametric_curves():
+    """Whether exported STEP files have the curves of edges in the parameters of their faces."""
+    return _parameters().GetBool("StepParametricCurves", True)
+
+
+def step_folder():
+    """The folder of the last export, empty before the first one."""
+    return _parameters().GetString("StepFolder", "")
+
+
+def remember_step_folder(folder):
+    _parameters().SetString("StepFolder", folder)
 
 
 def _parameters():

@@ -18,17 +18,17 @@ _SEWING_TOLERANCE = 1e-6
 
 def surface_of_sections(sections):
     """A shell, or a compound of one shell for each section."""
-    shells = [_shape(kernel.pnocct().shell(faces)) for faces in sections]
+    shells = [part_shape(kernel.pnocct().shell(faces)) for faces in sections]
     return shells[0] if len(shells) == 1 else Part.Compound(shells)
 
 
 def solid_of_sections(sections):
     """The solid inside one section, closed flat, or the one between two, closed by normals."""
     if len(sections) == 1:
-        return _shape(kernel.pnocct().capped_solid(sections[0]))
+        return part_shape(kernel.pnocct().capped_solid(sections[0]))
     if any(face.trims for faces in sections for face in faces):
-        return _joined_by_walls(*(_shape(kernel.pnocct().shell(faces)) for faces in sections))
-    return _shape(kernel.pnocct().thick_solid(*sections))
+        return _joined_by_walls(*(part_shape(kernel.pnocct().shell(faces)) for faces in sections))
+    return part_shape(kernel.pnocct().thick_solid(*sections))
 
 
 def storage_loss(stored, exact):
@@ -69,7 +69,8 @@ def _difference(a, b):
     return np.abs(a - b).max(initial=0) if a.shape == b.shape else np.inf
 
 
-def _shape(brep):
+def part_shape(brep):
+    """The Part shape in a BREP text of pnocct."""
     shape = Part.Shape()
     shape.importBrepFromString(brep)
     return shape

@@ -68,6 +68,14 @@ def points_at(surface, u, v):
     return x[..., :3] / x[..., 3:]
 
 
+def points_and_normals(surface, u, v):
+    """Points and unit normals along S_u x S_v, each (m k, 3), in one list; poles left out."""
+    jet = jet_at(surface, u, v)
+    points, normals = (values.reshape(-1, 3) for values in (jet.point, jet.normals()))
+    is_regular = ~np.isnan(normals[:, 0])
+    return points[is_regular], normals[is_regular]
+
+
 def jet_at(surface, u, v):
     """The Jet at parameters u (m,) and v (k,), or (m, k) where each u has its own.
 

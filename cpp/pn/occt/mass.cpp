@@ -80,7 +80,7 @@ struct GaussKronrodRule {
 
 // Integral of f, which gives Sums, from a to b, also where a > b.
 template <class Function>
-Sum integral(const Function& f, double a, double b, int halvings = kHalvings) {
+Sum integral(const Function& f, double a, double b, int halvings) {
   if (a == b) return {};
   static const GaussKronrodRule rule;
   const double middle = (a + b) / 2;
@@ -105,13 +105,13 @@ Sum integral(const Function& f, double a, double b, int halvings = kHalvings) {
 
 // The same, split at `cuts` between a and b, in this order.
 template <class Function>
-Sum integral(const Function& f, double a, const std::vector<double>& cuts, double b) {
+Sum integral(const Function& f, double a, const std::vector<double>& cuts, double b, int halvings) {
   Sum sum;
   for (const double cut : cuts) {
-    sum += integral(f, a, cut);
+    sum += integral(f, a, cut, halvings);
     a = cut;
   }
-  return sum += integral(f, a, b);
+  return sum += integral(f, a, b, halvings);
 }
 
 std::vector<double> u_breaks(const GeomAdaptor_Surface& surface) {
@@ -188,7 +188,7 @@ class Domain {
 
   // Integral of density(S, S_u x S_v), which gives Sums, over u and v.
   template <class Density>
-  Sum integral_of(const Density& density) const {
+  Sum integral_of(const Density& density, int halvings) const {
     const double u0 = boundary_.front().curve.Value(boundary_.front().cuts.front()).X();
     const auto strip = [&](double u, double v) {
       const auto at = [&](double s) {
@@ -197,7 +197,7 @@ class Domain {
         surface_.D1(s, v, point, s_u, s_v);
         return density(point, s_u.Crossed(s_v));
       };
-      return integral(at, u0, u_knots_.passed(u0, u), u);
+      return integral(at, u0, u_knots_.passed(u0, u), u, halvings);
     };
     Sum sum;
     for (const BoundaryCurve& piece : boundary_) {
@@ -209,7 +209,7 @@ class Domain {
         return step.Y() == 0 ? Sum{} : step.Y() * strip(uv.X(), uv.Y());
       };
       const std::vector<double> inner(piece.cuts.begin() + 1, piece.cuts.end() - 1);
-      sum += piece.sign * integral(at, piece.cuts.front(), inner, piece.cuts.back());
+      sum += piece.sign * integral(at, piece.cuts.front(), inner, piece.cuts.back(), halvings);
     }
     return sum;
   }
@@ -267,20 +267,21 @@ class Domain {
   std::vector<BoundaryCurve> boundary_;
 };
 
-Sum area_of(const TopoDS_Face& face) {
-  return Domain(face).integral_of([](const gp_Pnt&, const gp_Vec& normal) {
-    const double size = normal.Magnitude();
-    return Sum{size, size};
-  });
+Sum area_of(const TopoDS_Face& face, int halvings) {
+  const auto size = [](const gp_Pnt&, const gp_Vec& normal) {
+    return Sum{normal.Magnitude(), normal.Magnitude()};
+  };
+  return Domain(face).integral_of(size, halvings);
 }
 
 // Volume of the cone from `apex` over a face, negative where the face points towards it.
 Sum volume_below(const TopoDS_Face& face, const gp_Pnt& apex) {
   const Domain domain(face);
-  return domain.sign() / 3 * domain.integral_of([&](const gp_Pnt& point, const gp_Vec& normal) {
+  const auto cone = [&](const gp_Pnt& point, const gp_Vec& normal) {
     const gp_Vec ray(apex, point);
     return Sum{ray.Dot(normal), ray.Magnitude() * normal.Magnitude()};
-  });
+  };
+  return domain.sign() / 3 * domain.integral_of(cone, kHalvings);
 }
 
 // Volume inside a closed shell. An apex on the shell keeps the cones small.
@@ -306,10 +307,10 @@ Sum volume_of_closed_shells(const TopoDS_Shape& shape) {
   return sum;
 }
 
-Sum area_of_faces(const TopoDS_Shape& shape) {
+Sum area_of_faces(const TopoDS_Shape& shape, int halvings = kHalvings) {
   Sum sum;
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
-    sum += area_of(TopoDS::Face(face.Current()));
+    sum += area_of(TopoDS::Face(face.Current()), halvings);
   }
   return sum;
 }
@@ -339,6 +340,10 @@ double volume(const TopoDS_Shape& shape) {
 
 double area(const TopoDS_Shape& shape) {
   return with_occt_errors([&] { return area_of_faces(shape).value; });
+}
+
+double area_by_one_rule(const TopoDS_Shape& shape) {
+  return with_occt_errors([&] { return area_of_faces(shape, 0).value; });
 }
 
 Measure measured_volume(const TopoDS_Shape& shape) {

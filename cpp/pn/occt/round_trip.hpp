@@ -21,7 +21,6 @@ struct RoundTrip {
   std::size_t faces = 0;
   std::size_t bspline_faces = 0;  ///< of these, those that were compared bit for bit
   std::size_t poles = 0;          ///< of the B-spline faces
-  double area = 0;                ///< [mm^2]
   double volume = 0;              ///< [mm^3] inside closed shells
   /// What differs, a sentence each; none when the shapes have come back.
   std::vector<std::string> differences;
