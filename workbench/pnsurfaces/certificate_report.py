@@ -20,7 +20,7 @@ from pnsurfaces.certificate_text import as_markdown
 from pnsurfaces.definition import definition_of
 from pnsurfaces.face_grid import face_grid, patches
 from pnsurfaces.feature import FeatureBase
-from pnsurfaces.shape import part_shape
+from pnsurfaces.shape import own_shape, part_shape
 from pnsurfaces.spline_grid import points_and_normals
 
 # Of the dictionary below; a reader of files of version 1 finds all that it knows in later ones.
@@ -90,7 +90,7 @@ def _of_object(obj, compare):
         sections = obj.Proxy.sections(obj)
     except ValueError as error:
         return {**names, "answer": f"{obj.Label} cannot be computed: {error}"}
-    shape = _own_shape(obj)
+    shape = own_shape(obj)
     if not _shows(shape, sections.faces):
         return {
             **names,
@@ -213,13 +213,6 @@ def _as_bspline(face):
 
 def _shell(faces):
     return part_shape(kernel.pnocct().shell(faces))
-
-
-def _own_shape(obj):
-    """The shape in its own coordinates: the very doubles, before the placement moves them."""
-    shape = obj.Shape.copy(False)
-    shape.Placement = FreeCAD.Placement()
-    return shape
 
 
 def _shows(shape, sections):

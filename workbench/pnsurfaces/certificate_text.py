@@ -34,7 +34,8 @@ def _of_object(entry):
 
 
 def _rows_of_shape(shape):
-    yield "Shape", f"{shape['type']} of {shape['faces']} faces"
+    yield "Shape", shape["type"]
+    yield "Faces", str(shape["faces"])
     yield "Faults", _escaped("; ".join(shape["faults"])) or "none"
     yield "Area", f"{_measure(shape['area'])} mm²"
     if "volume" in shape:
@@ -69,7 +70,7 @@ def _rows_of_comparison(section):
         return
     ratio = offset["poles"] / section["poles"]
     yield "FreeCAD's own offset", (
-        f"{offset['faces']} faces, degree {_degree(offset)}, {offset['poles']} poles"
+        f"degree {_degree(offset)}, {offset['poles']} poles"
         f" ({ratio:.3g} times as many), worst deviation {offset['deviation']:.2g} mm"
         f" at {offset['points']} points"
     )

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import FreeCAD
 
 from pnsurfaces.kernel import KernelMissing
-from pnsurfaces.shape import solid_of_sections, storage_loss, surface_of_sections
+from pnsurfaces.shape import own_shape, solid_of_sections, storage_loss, surface_of_sections
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -186,9 +186,7 @@ class FeatureBase:
             exact, _ = self._computed(obj)
         except (ValueError, KernelMissing):
             return  # Nothing to compare with: the stored shape stays, as after a failed recompute.
-        stored = obj.Shape.copy(False)
-        stored.Placement = FreeCAD.Placement()
-        if 0 < storage_loss(stored, exact) <= STORED_RESOLUTION:
+        if 0 < storage_loss(own_shape(obj), exact) <= STORED_RESOLUTION:
             exact.Placement = obj.Placement
             obj.Shape = exact
             obj.purgeTouched()

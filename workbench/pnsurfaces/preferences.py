@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the user chose on the preferences page, and the choices before that."""
 
+import os
+
 import FreeCAD
 
 from pnsurfaces.export import SCHEMAS
@@ -30,13 +32,14 @@ def step_parametric_curves():
     return _parameters().GetBool("StepParametricCurves", True)
 
 
-def step_folder():
-    """The folder of the last export, empty before the first one."""
-    return _parameters().GetString("StepFolder", "")
+def export_path(name):
+    """A file of this name in the folder of the last export; the name alone before the first one."""
+    return os.path.join(_parameters().GetString("ExportFolder", ""), name)
 
 
-def remember_step_folder(folder):
-    _parameters().SetString("StepFolder", folder)
+def remember_export_path(path):
+    """Has the next export begin in the folder of this one."""
+    _parameters().SetString("ExportFolder", os.path.dirname(path))
 
 
 def _parameters():

@@ -7,6 +7,7 @@ first; corresponding faces have the same parameters.
 
 from collections import Counter
 
+import FreeCAD
 import numpy as np
 import Part
 
@@ -29,6 +30,13 @@ def solid_of_sections(sections):
     if any(face.trims for faces in sections for face in faces):
         return _joined_by_walls(*(part_shape(kernel.pnocct().shell(faces)) for faces in sections))
     return part_shape(kernel.pnocct().thick_solid(*sections))
+
+
+def own_shape(obj):
+    """The shape of an object in its own coordinates: the doubles before the placement moves them."""
+    shape = obj.Shape.copy(False)
+    shape.Placement = FreeCAD.Placement()
+    return shape
 
 
 def storage_loss(stored, exact):
