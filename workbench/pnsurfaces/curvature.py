@@ -20,6 +20,10 @@ _WINDOW = 9
 _SHRINK = 0.4
 _ROUNDS = 16
 
+# A pole of the parametrization is looked at this part of the range beside it: as near as half of the
+# digits of a cross product allow.
+_NUDGE = 1e-5
+
 
 class CurvedPatch(NamedTuple):
     """A grid of points (m, k, 3) with unit normals and principal curvatures (m, k) in 1/mm.
@@ -101,41 +105,60 @@ def _bilinear(values, i, j):
 
 
 def _curved(grid, patch):
-    jet = jet_at(grid.surface, patch.u, patch.v)
+    points, normals, least, greatest = _forms(grid, patch)
+    if np.isnan(least).any():
+        # At a pole there is no frame, but there is one beside it.
+        beside = _forms(grid, Patch(_nudged(patch.u), _nudged(patch.v)))
+        normals, least, greatest = (
+            np.where(np.isnan(here), near, here)
+            for here, near in zip((normals, least, greatest), beside[1:])
+        )
+    return CurvedPatch(grid, patch, points, normals, least, greatest)
+
+
+def _forms(grid, patch):
+    """Points, normals and principal curvatures of a patch, nan where it has no normal."""
+    jet = jet_at(grid.surface, *patch)
     normals = grid.side * jet.normals()
     e, f, g = (_dot(*pair) for pair in ((jet.u, jet.u), (jet.u, jet.v), (jet.v, jet.v)))
     l, m, n = (_dot(second, normals) for second in (jet.uu, jet.uv, jet.vv))
-    area = e * g - f * f
+    area = np.where(np.isnan(l), np.nan, e * g - f * f)
     mean = (e * n - 2 * f * m + g * l) / (2 * area)
     gauss = (l * n - m * m) / area
     spread = np.sqrt(np.maximum(mean**2 - gauss, 0))
-    least, greatest = mean - spread, mean + spread
-    filled = (_filled(values) for values in (normals, least, greatest))
-    return CurvedPatch(grid, patch, jet.point, *filled)
+    return jet.point, normals, mean - spread, mean + spread
 
 
 def _comb(grid, line):
-    jet = jet_at(grid.surface, line[:, 0], line[:, 1][:, None])
+    points, normals, curvature = _bend(grid, line)
+    _, *beside = _bend(grid, _nudged(line))
+    return points, *(
+        np.where(np.isnan(here), near, here) for here, near in zip((normals, curvature), beside)
+    )
+
+
+def _bend(grid, line):
+    """Points, normals and normal curvatures along a line of parameters, nan where there is none."""
+    jet = jet_at(grid.surface, line[:, 0], line[:, 1:])
     point, u, v, uu, uv, vv = (part[:, 0] for part in jet)
+    normals = grid.side * jet.normals()[:, 0]
     step = line[-1] - line[0]
-    normals = _filled((grid.side * jet.normals())[:, 0])
     speed = step[0] * u + step[1] * v
     bend = step[0] ** 2 * uu + 2 * step[0] * step[1] * uv + step[1] ** 2 * vv
     square = _dot(speed, speed)
-    curvature = np.divide(_dot(bend, normals), square, out=np.full(len(line), np.nan),
-                          where=square > 0)
-    return point, normals, _filled(curvature)
+    curvature = _dot(bend, normals) / np.where(square > 0, square, np.nan)
+    return point, normals, curvature
+
+
+def _nudged(parameters):
+    """Parameters drawn a little towards their middle, away from the ends."""
+    middle = (parameters[0] + parameters[-1]) / 2
+    nudged = parameters + _NUDGE * (middle - parameters)
+    if parameters.ndim == 1:
+        return nudged
+    middle = (nudged[..., :1] + nudged[..., -1:]) / 2
+    return nudged + _NUDGE * (middle - nudged)
 
 
 def _dot(a, b):
     return np.sum(a * b, axis=-1)
-
-
-def _filled(values):
-    """Values along the first two axes (or one), those at poles (nan) taken from their neighbours."""
-    filled = values.copy()
-    for axis in range(values.ndim if values.ndim < 2 else 2):
-        for step in (1, -1):
-            neighbour = np.roll(filled, step, axis=axis)
-            filled = np.where(np.isnan(filled), neighbour, filled)
-    return filled

@@ -31,9 +31,8 @@ _PARAMETERS_OF_SPAN = 16
 # Points that are compared with all parameters at once, which bounds the memory.
 _POINTS_AT_ONCE = 64
 
-# Halvings of such a step. The deviation is stationary in the parameter, so half of the digits
-# suffice.
-_HALVINGS = 32
+# Halvings of such a step, to the last place: at distance 0 the deviation is not stationary.
+_HALVINGS = 50
 
 # A point at the very end of a span has its root there, give or take the rounding: looked for a
 # little beyond, as part of the span.
@@ -171,7 +170,7 @@ class PiecewiseRational:
 
 
 def _along_family(family, points, distance):
-    """The least deviation at a root of the family's equation; inf where there is none."""
+    """The least deviation at a root of the family's equation."""
     starts = range(0, len(points), _POINTS_AT_ONCE)
     blocks = [points[start : start + _POINTS_AT_ONCE] for start in starts]
     return np.concatenate([_of_block(family, block, distance) for block in blocks])
@@ -188,7 +187,10 @@ def _of_block(family, points, distance):
     ):
         _, found = family.at(roots, spans, points[owners], distance)
         np.minimum.at(sizes, owners, np.abs(found))
-    return sizes
+    # Nearest to a point beyond the ends is an end.
+    ends, spans = breaks[[0, -1]], inside[[0, -1], 0]
+    _, found = family.at(ends, spans, points[:, None], distance)
+    return np.where(np.isinf(sizes), np.abs(found).min(axis=1), sizes)
 
 
 def _parameters(breaks):

@@ -18,8 +18,8 @@ _POINTS_OF_EDGE = 129
 # Points of a boundary curve at which it is looked whether it runs along a side.
 _PARAMETRIC_CONFUSION = 1e-9
 
-# The first and the last line of a cut face lie this part of its width inside, where they still
-# cross its boundary.
+# Lines where a cut face begins, ends or turns lie this part of its width beside it, where they cross
+# its boundary or do not.
 _INSET = 1e-6
 
 
@@ -27,8 +27,8 @@ class FaceGrid(NamedTuple):
     """A face of FreeCAD on a B-spline surface, prepared for grids.
 
     `sides` are its parameter range, ((u_first, u_last), (v_first, v_last)); `boundary` are the
-    segments (s, 2, 2) of its boundary, None where that is the sides themselves. `side` is 1 where
-    the face points along S_u x S_v, -1 where against it.
+    segments (s, 2, 2) of its boundary, edge by edge, None where that is the sides themselves. `side`
+    is 1 where the face points along S_u x S_v, -1 where against it.
     """
 
     surface: tuple
@@ -65,7 +65,7 @@ def patches(grid, rows, columns):
         return [Patch(u, _spread_between(grid.surface.v_knots, grid.sides[1], columns))]
     return [
         Patch(values, ends[:, :1] + (ends[:, 1:] - ends[:, :1]) * np.linspace(0, 1, columns))
-        for values, ends in _strips(_inset(u), grid.boundary)
+        for values, ends in _strips(_with_turns(u, grid.boundary), grid.boundary)
     ]
 
 
@@ -120,6 +120,16 @@ def _spread_between(knots, ends, count):
 def _inset(values):
     inset = _INSET * (values[-1] - values[0])
     return np.concatenate([[values[0] + inset], values[1:-1], [values[-1] - inset]])
+
+
+def _with_turns(u, boundary):
+    """The parameters, and two about each at which the boundary turns back: there strips may end."""
+    steps = np.sign(boundary[:, 1, 0] - boundary[:, 0, 0])
+    goes_on = (boundary[:-1, 1] == boundary[1:, 0]).all(axis=1) & (steps[:-1] == steps[1:])
+    turns = np.concatenate([boundary[:1, 0, 0], boundary[-1:, 1, 0], boundary[:-1, 1, 0][~goes_on],
+                            boundary[1:, 0, 0][~goes_on]])
+    inset = _INSET * (u[-1] - u[0])
+    return np.unique(np.concatenate([u, turns - inset, turns + inset]))
 
 
 def _strips(u, boundary):
