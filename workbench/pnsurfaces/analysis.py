@@ -42,6 +42,9 @@ _TOOTH = 0.15
 # A scale ends at so many times its median: near a singular point curvature has no bound.
 _LARGEST_RATIO = 20
 
+# The radii of a map differ by a factor between these: less would show noise, more is as good as flat.
+_LEAST_SPAN, _LARGEST_SPAN = 1.5, 1000
+
 _EDGE_COLOUR = (0.1, 0.1, 0.1)
 _LINE_COLOURS = ((0.1, 0.3, 0.6), (0.6, 0.2, 0.1))
 _NET_COLOUR = (0.75, 0.2, 0.6)
@@ -146,23 +149,34 @@ class _Picture:
         ]
 
     def _by_curvature(self):
-        values = [patch.strongest() for patch in self._patches]
-        top = _top(values)
-        yield from self._in_scale(nodes.STRENGTH, [value / top for value in values])
         found = smallest_radius(self._patches)
         if not np.isfinite(found.radius):
-            yield self._legend(nodes.STRENGTH, "Flat", [(0, "r = ∞")])
+            yield from self._in_one_colour(nodes.STRENGTH[0])
+            yield self._legend(nodes.STRENGTH, "flat", [(0, "r = ∞")])
             return
+        values = [patch.strongest() for patch in self._patches]
+        top, low = _top(values), min(value.min() for value in values)
+        low = np.clip(low, top / _LARGEST_SPAN, top / _LEAST_SPAN)
+        # By the logarithm: a tight bend and a wide one are told apart as well as two tight ones.
+        octaves = np.log(top / low)
+        yield from self._in_scale(
+            nodes.STRENGTH, [np.log(np.maximum(value, low) / low) / octaves for value in values]
+        )
         text = f"smallest radius {found.radius:.4g} mm"
         yield nodes.label(found.point, text)
-        marks = [(part, f"r = {1 / (part * top):.4g} mm") for part in (0.25, 0.5, 0.75, 1)]
-        yield self._legend(nodes.STRENGTH, text, [(0, "r = ∞"), *marks])
+        radii = [(part, np.exp(-part * octaves) / low) for part in np.linspace(0, 1, 5)]
+        marks = [(part, f"r = {radius:.4g} mm") for part, radius in radii]
+        yield self._legend(nodes.STRENGTH, text, marks)
 
     def _by_gauss(self):
         values = [patch.gauss() for patch in self._patches]
         top = _top([np.abs(value) for value in values])
-        yield from self._in_scale(nodes.SIGNED, [0.5 + value / (2 * top) for value in values])
-        marks = [(0.5 + part / 2, f"{part * top:+.3g}") for part in (-1, -0.5, 0.5, 1)]
+        # By the square root, which is one over a radius.
+        yield from self._in_scale(
+            nodes.SIGNED,
+            [0.5 + np.sign(value) * np.sqrt(np.abs(value) / top) / 2 for value in values],
+        )
+        marks = [(0.5 + part / 2, f"{part * abs(part) * top:+.3g}") for part in (-1, -0.5, 0.5, 1)]
         yield self._legend(nodes.SIGNED, "Gauss curvature, 1/mm²", [(0.5, "0"), *marks])
 
     def _legend(self, scale, title, marks):

@@ -98,17 +98,16 @@ def label(point, text):
     place.translation = tuple(map(float, point))
     framed = coin.SoType.fromName("SoFrameLabel").createInstance()
     framed.set(f'string "{text}" textColor {_triple(_INK)} backgroundColor {_triple(_PAPER)}')
-    node = coin.SoAnnotation()
-    for child in (_unlit(), _material(_INK), place, _coordinates(np.zeros((1, 3))), marker, framed):
-        node.addChild(child)
-    return node
+    return _in_front(
+        _unlit(), _material(_INK), place, _coordinates(np.zeros((1, 3))), marker, framed
+    )
 
 
 def legend(scale, titles, marks, number):
     """A bar of colours at the left of the window under its titles, with texts at parts of it.
 
-    `marks` are pairs (part from 0 to 1, text).
-    `number` counts the legends of a view, which stand side by side.
+    `marks` are pairs (part from 0 to 1, text). `number` counts the legends of a view, which stand
+    side by side.
     """
     left, right, bottom, top = _LEGEND
     shift = number * _NEXT_LEGEND
@@ -121,19 +120,14 @@ def legend(scale, titles, marks, number):
     camera.height = 2
     camera.position = (0, 0, 1)
     camera.nearDistance, camera.farDistance = 0.1, 2
-    rows = enumerate(reversed(titles), start=1)
-    texts = [(left, top + row * _LINE_OF_TEXT, title) for row, title in rows]
+    numbered = enumerate(reversed(titles), start=1)
+    texts = [(left, top + row * _LINE_OF_TEXT, title) for row, title in numbered]
     texts += [(right + 0.015, bottom + part * (top - bottom) - 0.012, text) for part, text in marks]
     sheet = _sheet(left - 0.02, left + _NEXT_LEGEND - 0.04, bottom - 0.05,
                    top + (len(titles) + 1) * _LINE_OF_TEXT)
-    node = coin.SoAnnotation()
-    for child in (camera, _unlit(), sheet, surface(grid, np.zeros(grid.shape) + (0, 0, 1), shades),
-                  _material(_INK), _font(), *(_text_at(*entry) for entry in texts)):
-        node.addChild(child)
-    # It lies nowhere in space: the view may not make room for it.
-    outside = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
-    outside.addChild(node)
-    return outside
+    bar = surface(grid, np.zeros(grid.shape) + (0, 0, 1), shades)
+    rows = [_text_at(*entry) for entry in texts]
+    return _in_front(camera, _unlit(), sheet, bar, _material(_INK), _font(), *rows)
 
 
 def not_pickable():
@@ -166,6 +160,18 @@ def _end_colour_overrides(_, action):
         override.setEmissiveColorOverride(state, None, False)
         override.setDiffuseColorOverride(state, None, False)
         override.setMaterialBindingOverride(state, None, False)
+
+
+def _in_front(*children):
+    """Draws nodes in front of everything; their size is that of the window, not of the scene."""
+    node = coin.SoAnnotation()
+    for child in children:
+        node.addChild(child)
+    # The view may make no room for it.
+    outside = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
+    outside.set("mode EXCLUDE_BBOX")
+    outside.addChild(node)
+    return outside
 
 
 def _facing():
