@@ -19,7 +19,7 @@ _PIXELS_OF_STRIPE = 16
 # The legend in a window from -1 to 1 in both directions: left, right, bottom and top of its bar, and
 # the step to the next legend.
 _LEGEND = (-0.97, -0.935, -0.9, -0.35)
-_NEXT_LEGEND = 0.42
+_NEXT_LEGEND = 0.48
 _LINE_OF_TEXT = 0.06
 
 # A shape's own triangles are up to a thousandth of its size off the surface: this is twice as much

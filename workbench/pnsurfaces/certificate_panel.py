@@ -2,12 +2,12 @@
 """The task panel that shows the certificate of objects, to read, copy and save."""
 
 import FreeCAD
-import FreeCADGui
 
-from pnsurfaces import preferences, resources
+from pnsurfaces import resources
 from pnsurfaces.certificate_report import certificate, save_certificate
 from pnsurfaces.certificate_text import as_markdown
 from pnsurfaces.compat import QtCore, QtGui, QtWidgets, connect
+from pnsurfaces.export_path import ask_export_path
 from pnsurfaces.panel import load_form
 
 translate = FreeCAD.Qt.translate
@@ -38,20 +38,16 @@ class CertificatePanel:
         QtWidgets.QApplication.clipboard().setText(as_markdown(self._report))
 
     def save(self):
-        path, _ = QtWidgets.QFileDialog.getSaveFileName(
-            FreeCADGui.getMainWindow(),
+        path = ask_export_path(
             translate("PNSurfaces", "Certificate"),
-            preferences.export_path(f"{self._objects[0].Label}.md"),
+            f"{self._objects[0].Label}.md",
             translate("PNSurfaces", "Markdown (*.md);;JSON (*.json)"),
         )
-        if not path:
-            return
         try:
-            save_certificate(self._report, path)
+            if path:
+                save_certificate(self._report, path)
         except OSError as error:
             QtWidgets.QMessageBox.information(self.form, "PN Surfaces", str(error))
-            return
-        preferences.remember_export_path(path)
 
     def getStandardButtons(self):
         return int(QtWidgets.QDialogButtonBox.Close)

@@ -9,6 +9,7 @@ from pnsurfaces.analysis_commands import analysis_commands
 from pnsurfaces.certificate_panel import CertificatePanel
 from pnsurfaces.compat import QtCore, QtWidgets
 from pnsurfaces.edge_chain import end, read_edge_chain, start
+from pnsurfaces.export_path import ask_export_path
 from pnsurfaces.panel import literal
 from pnsurfaces.selection import selected_face, selected_pair, selected_spine
 
@@ -159,15 +160,13 @@ class ExportStepCommand:
 
     def Activated(self):
         objects = FreeCADGui.Selection.getSelection()
-        path, _ = QtWidgets.QFileDialog.getSaveFileName(
-            FreeCADGui.getMainWindow(),
+        path = ask_export_path(
             translate("PNSurfaces", "STEP export"),
-            preferences.export_path(f"{objects[0].Label}.step"),
+            f"{objects[0].Label}.step",
             translate("PNSurfaces", "STEP files (*.step *.stp)"),
         )
         if not path:
             return
-        preferences.remember_export_path(path)
         options = (
             f"schema={preferences.step_schema()!r},"
             f" parametric_curves={preferences.step_parametric_curves()!r}"
