@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/cancellation.hpp"
 #include "pn/bezier/pn_surface.hpp"
 #include "pn/geometry_error.hpp"
@@ -65,6 +66,36 @@ Array array_of(const std::vector<double>& values, std::vector<py::ssize_t> shape
 
 Array array_of(const std::vector<double>& values) {
   return array_of(values, {static_cast<py::ssize_t>(values.size())});
+}
+
+// Bernstein coefficients of the numerators and the denominator of a span.
+template <std::size_t Dimension>
+Array homogeneous_of(const pn::RationalSpan<Dimension>& span) {
+  std::vector<pn::RationalPolynomial> components(span.numerator.begin(), span.numerator.end());
+  components.push_back(span.denominator);
+  int degree = 0;
+  for (const auto& component : components) degree = std::max(degree, component.degree());
+  Array result({py::ssize_t{degree} + 1, static_cast<py::ssize_t>(components.size())});
+  auto entries = result.mutable_unchecked<2>();
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    std::vector<pn::Rational> power;
+    for (int i = 0; i <= degree; ++i) power.push_back(components[c].coefficient(i));
+    const std::vector<pn::Rational> bernstein = pn::to_bernstein(std::move(power));
+    for (std::size_t i = 0; i < bernstein.size(); ++i) {
+      entries(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(c)) = bernstein[i].to_double();
+    }
+  }
+  return result;
+}
+
+template <std::size_t Dimension>
+py::list spans_of(const pn::PiecewiseRational<Dimension>& function) {
+  py::list spans;
+  for (std::size_t i = 0; i < function.spans.size(); ++i) {
+    spans.append(py::make_tuple(function.breaks[i].to_double(), function.breaks[i + 1].to_double(),
+                                homogeneous_of(function.spans[i])));
+  }
+  return spans;
 }
 
 py::tuple tuple_of(const std::array<int, 2>& pair) { return py::make_tuple(pair[0], pair[1]); }
@@ -200,7 +231,11 @@ void define_inputs(py::module_& module) {
             return array_of(breaks);
           },
           "The parameters at which spans begin and end.")
-      .def_property_readonly("degree", &pn::Curve::degree, "The largest degree of a span.");
+      .def_property_readonly("degree", &pn::Curve::degree, "The largest degree of a span.")
+      .def_property_readonly(
+          "spans", [](const pn::Curve& curve) { return spans_of(curve.function()); },
+          "For each span its first and last parameter and, rounded, the Bernstein coefficients of "
+          "(x w, y w, z w, w), (k + 1, 4).");
 
   py::class_<pn::Law>(module, "Law", "A radius law: a piecewise rational function, in millimetres.")
       .def_static("constant", &pn::Law::constant, py::arg("value"),
@@ -220,7 +255,15 @@ void define_inputs(py::module_& module) {
                                      values_of(coefficients), weights_of(weights)});
           },
           py::arg("degree"), py::arg("knots"), py::arg("multiplicities"), py::arg("coefficients"),
-          py::arg("weights") = py::none(), "A clamped B-spline function, like Curve.bspline.");
+          py::arg("weights") = py::none(), "A clamped B-spline function, like Curve.bspline.")
+      .def(
+          "spans_over",
+          [](const pn::Law& law, const pn::Curve& spine) {
+            const auto& breaks = spine.function().breaks;
+            return spans_of(law.over(breaks.front(), breaks.back()));
+          },
+          py::arg("spine"),
+          "The law over the domain of a spine, as Curve.spans gives it: (r w, w), (k + 1, 2).");
 }
 
 void define_outputs(py::module_& module) {

@@ -159,6 +159,37 @@ TEST_CASE("Volume is negative where faces point inwards") {
   CHECK(volume(inwards) == Approx(-2 * kPi * kPi * 5 * 4).epsilon(1e-13));
 }
 
+TEST_CASE("The estimated error covers the true one and is small") {
+  const auto covers = [](const pn::Measure& measure, double exact) {
+    CAPTURE(measure.value, measure.error, exact);
+    CHECK(std::abs(measure.value - exact) <= measure.error);
+    CHECK(measure.error <= 1e-8 * exact);
+  };
+  const TopoDS_Shell torus = make_shell({pn::test::torus(5, 2)});
+  covers(pn::measured_area(torus), 4 * kPi * kPi * 5 * 2);
+  covers(pn::measured_volume(torus), 2 * kPi * kPi * 5 * 4);
+  const TopoDS_Shell ellipsoid = make_shell(pn::test::ellipsoid_halves(30, 20, 1));
+  // Legendre's formula at 40 digits; in doubles it loses more than the quadrature.
+  covers(pn::measured_area(ellipsoid), 3796.0216270338493239);
+  covers(pn::measured_volume(ellipsoid), 4 * kPi / 3 * 30 * 20);
+  const auto outer = oval({0.1, 0}, 0.8, 0.9);
+  covers(pn::measured_area(make_shell({within(pn::test::paraboloid(), {outer})})),
+         around(outer, paraboloid_strip));
+  const TopoDS_Shell cap = make_shell(pn::test::up_to(pn::test::sphere_halves(), 0.7));
+  const double h = 1 + pn::test::height(0.7);
+  covers(pn::measured_volume(pn::make_capped_solid(cap)), kPi * h * h * (3 - h) / 3);
+}
+
+TEST_CASE("One rule is enough where surfaces are smooth, and for comparisons elsewhere") {
+  CHECK(pn::area_by_one_rule(make_shell({pn::test::torus(5, 2)})) ==
+        Approx(4 * kPi * kPi * 5 * 2).epsilon(1e-12));
+  // At a pole of the parametrization, and where a torus meets itself, normals vanish.
+  CHECK(pn::area_by_one_rule(make_shell(pn::test::ellipsoid_halves(3, 2, 1))) ==
+        Approx(ellipsoid_area(3, 2, 1)).epsilon(1e-4));
+  const TopoDS_Shell spindle = make_shell({pn::test::torus(1, 2)});
+  CHECK(pn::area_by_one_rule(spindle) == Approx(area(spindle)).epsilon(1e-3));
+}
+
 TEST_CASE("An open shell has no volume") {
   CHECK_THROWS_AS(volume(make_shell({pn::test::tube(1, 0, 4, 4)})), std::invalid_argument);
 }

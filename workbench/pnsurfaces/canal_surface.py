@@ -46,16 +46,24 @@ class CanalSurface(FeatureBase):
     )
 
     def base(self, obj):
-        if obj.Spine is None:
-            raise ChainError("The spine is missing. Choose an edge, a wire or a sketch.")
-        source, names = obj.Spine
-        spine = read_spine(source, names, container=obj.getParentGeoFeatureGroup())
-        return Base(kernel.pnkernel().canal_surface(spine.curve, radius_law(obj, spine)))
+        return Base(kernel.pnkernel().canal_surface(*read_spheres(obj)))
 
     def onChanged(self, obj, name):
         # While a document is read, other properties may not be there yet.
         if name == "RadiusLaw" and not obj.Document.Restoring:
             _show_inputs_of_law(obj)
+
+
+def read_spheres(obj):
+    """Spine (pnkernel.Curve) and radius (pnkernel.Law) of a feature CanalSurface.
+
+    Raises ChainError, LinkError or RadiusLawError with a sentence for the user.
+    """
+    if obj.Spine is None:
+        raise ChainError("The spine is missing. Choose an edge, a wire or a sketch.")
+    source, names = obj.Spine
+    spine = read_spine(source, names, container=obj.getParentGeoFeatureGroup())
+    return spine.curve, radius_law(obj, spine)
 
 
 def make_canal_surface(spine, radius, distance=0, *, document=None, name="CanalSurface",

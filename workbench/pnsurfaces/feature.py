@@ -9,7 +9,7 @@ import FreeCAD
 
 from pnsurfaces.edge_chain import CONFUSION
 from pnsurfaces.kernel import KernelMissing
-from pnsurfaces.shape import solid_of_sections, storage_loss, surface_of_sections
+from pnsurfaces.shape import own_shape, solid_of_sections, storage_loss, surface_of_sections
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -56,6 +56,15 @@ class Base(NamedTuple):
     notes: tuple = ()
     exact: bool = True
     results: Any = MappingProxyType({})
+
+
+class Sections(NamedTuple):
+    """What a feature shows: its Base and, for each distance, a surface, its faces and certificate."""
+
+    base: Base
+    surfaces: list
+    faces: list
+    certificates: list
 
 
 class Property(NamedTuple):
@@ -159,16 +168,22 @@ class FeatureBase:
             obj.DeviationBound = float(obj.Deviation.removesuffix(" mm"))
         self._restore_digits(obj)
 
-    def _computed(self, obj):
-        """The shape and the values of the result properties, by name."""
+    def sections(self, obj):
+        """The Sections of the present inputs, whatever the shape shows."""
         base = self.base(obj)
         distances = _distances(obj)
-        sections = [base.surface.offset(distance) for distance in distances]
+        surfaces = [base.surface.offset(distance) for distance in distances]
         lines = PARAMETER_LINES[obj.ParameterLines]
-        faces = [section.bsplines(lines=lines) for section in sections]
-        certificates = [section.certificate_of(lines) for section in sections]
+        faces = [surface.bsplines(lines=lines) for surface in surfaces]
+        return Sections(
+            base, surfaces, faces, [surface.certificate_of(lines) for surface in surfaces]
+        )
+
+    def _computed(self, obj):
+        """The shape and the values of the result properties, by name."""
+        base, surfaces, faces, certificates = self.sections(obj)
         shape = OUTPUTS[obj.Output](faces)
-        return shape, {**_results(base, sections, faces, certificates), **base.results}
+        return shape, {**_results(base, surfaces, faces, certificates), **base.results}
 
     def _restore_digits(self, obj):
         """Replaces a shape that lost digits in the file by the exact one, and no other shape."""
@@ -176,9 +191,7 @@ class FeatureBase:
             exact, _ = self._computed(obj)
         except (ValueError, KernelMissing):
             return  # Nothing to compare with: the stored shape stays, as after a failed recompute.
-        stored = obj.Shape.copy(False)
-        stored.Placement = FreeCAD.Placement()
-        if 0 < storage_loss(stored, exact) <= STORED_RESOLUTION:
+        if 0 < storage_loss(own_shape(obj), exact) <= STORED_RESOLUTION:
             exact.Placement = obj.Placement
             obj.Shape = exact
             obj.purgeTouched()

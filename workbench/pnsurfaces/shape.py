@@ -7,6 +7,7 @@ first; corresponding faces have the same parameters.
 
 from collections import Counter
 
+import FreeCAD
 import numpy as np
 import Part
 
@@ -27,10 +28,17 @@ def solid_of_sections(sections):
     Sections of several parts give a compound of solids.
     """
     if len(sections) == 1:
-        return _shape(kernel.pnocct().capped_solid(sections[0]))
+        return part_shape(kernel.pnocct().capped_solid(sections[0]))
     if any(face.trims for faces in sections for face in faces):
         return _together([_joined_by_walls(*pair) for pair in zip(*map(_shells, sections))])
-    return _shape(kernel.pnocct().thick_solid(*sections))
+    return part_shape(kernel.pnocct().thick_solid(*sections))
+
+
+def own_shape(obj):
+    """The shape of an object in its own coordinates: the doubles before the placement moves them."""
+    shape = obj.Shape.copy(False)
+    shape.Placement = FreeCAD.Placement()
+    return shape
 
 
 def storage_loss(stored, exact):
@@ -72,7 +80,7 @@ def _difference(a, b):
 
 
 def _shells(faces):
-    return _shape(kernel.pnocct().shell(faces)).Shells
+    return part_shape(kernel.pnocct().shell(faces)).Shells
 
 
 def _together(shapes):
@@ -80,7 +88,8 @@ def _together(shapes):
     return shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
 
 
-def _shape(brep):
+def part_shape(brep):
+    """The Part shape in a BREP text of pnocct."""
     shape = Part.Shape()
     shape.importBrepFromString(brep)
     return shape

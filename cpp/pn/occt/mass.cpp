@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/occt/mass.hpp"
 
+#include <BRepBndLib.hxx>
+#include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <Precision.hxx>
@@ -12,11 +16,13 @@
 #include <TopoDS_Face.hxx>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <math.hxx>
 #include <math_Vector.hxx>
 #include <stdexcept>
 #include <vector>
 
+#include "pn/occt/curve_on_surface.hpp"
 #include "pn/occt/occt_error.hpp"
 
 namespace pn {
@@ -37,20 +43,27 @@ constexpr int kHalvings = 12;
 // its own knots. Two crossings inside one step would cost accuracy, not correctness.
 constexpr int kCrossingSteps = 32;
 
-// A value and the size of the terms that it is the sum of, to which its rounding is relative.
+// Points and derivatives of a rational surface are right to some units in the last place of the
+// sizes that are added up; sums over many points are better, not worse.
+constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
+
+// A value, the size of the terms that it is the sum of, to which its rounding is relative, and an
+// estimate of the error of the quadrature.
 struct Sum {
   double value = 0;
   double size = 0;
+  double error = 0;
 
   Sum& operator+=(const Sum& other) {
     value += other.value;
     size += other.size;
+    error += other.error;
     return *this;
   }
 };
 
 Sum operator*(double factor, const Sum& sum) {
-  return {factor * sum.value, std::abs(factor) * sum.size};
+  return {factor * sum.value, std::abs(factor) * sum.size, std::abs(factor) * sum.error};
 }
 
 struct GaussKronrodRule {
@@ -67,7 +80,7 @@ struct GaussKronrodRule {
 
 // Integral of f, which gives Sums, from a to b, also where a > b.
 template <class Function>
-Sum integral(const Function& f, double a, double b, int halvings = kHalvings) {
+Sum integral(const Function& f, double a, double b, int halvings) {
   if (a == b) return {};
   static const GaussKronrodRule rule;
   const double middle = (a + b) / 2;
@@ -78,7 +91,12 @@ Sum integral(const Function& f, double a, double b, int halvings = kHalvings) {
     kronrod += rule.weights(i) * term;
     if (i % 2 == 0) gauss += rule.gauss_weights(i / 2) * term;
   }
-  if (halvings == 0 || std::abs(kronrod.value - gauss.value) <= kAgreement * kronrod.size) {
+  const double difference = std::abs(kronrod.value - gauss.value);
+  const bool has_settled = difference <= kAgreement * kronrod.size;
+  if (halvings == 0 || has_settled) {
+    if (difference > 0) {
+      kronrod.error += has_settled ? difference * std::sqrt(difference / kronrod.size) : difference;
+    }
     return half * kronrod;
   }
   Sum sum = integral(f, a, middle, halvings - 1);
@@ -87,13 +105,13 @@ Sum integral(const Function& f, double a, double b, int halvings = kHalvings) {
 
 // The same, split at `cuts` between a and b, in this order.
 template <class Function>
-Sum integral(const Function& f, double a, const std::vector<double>& cuts, double b) {
+Sum integral(const Function& f, double a, const std::vector<double>& cuts, double b, int halvings) {
   Sum sum;
   for (const double cut : cuts) {
-    sum += integral(f, a, cut);
+    sum += integral(f, a, cut, halvings);
     a = cut;
   }
-  return sum += integral(f, a, b);
+  return sum += integral(f, a, b, halvings);
 }
 
 std::vector<double> u_breaks(const GeomAdaptor_Surface& surface) {
@@ -170,7 +188,7 @@ class Domain {
 
   // Integral of density(S, S_u x S_v), which gives Sums, over u and v.
   template <class Density>
-  double integral_of(const Density& density) const {
+  Sum integral_of(const Density& density, int halvings) const {
     const double u0 = boundary_.front().curve.Value(boundary_.front().cuts.front()).X();
     const auto strip = [&](double u, double v) {
       const auto at = [&](double s) {
@@ -179,7 +197,7 @@ class Domain {
         surface_.D1(s, v, point, s_u, s_v);
         return density(point, s_u.Crossed(s_v));
       };
-      return integral(at, u0, u_knots_.passed(u0, u), u);
+      return integral(at, u0, u_knots_.passed(u0, u), u, halvings);
     };
     Sum sum;
     for (const BoundaryCurve& piece : boundary_) {
@@ -191,9 +209,9 @@ class Domain {
         return step.Y() == 0 ? Sum{} : step.Y() * strip(uv.X(), uv.Y());
       };
       const std::vector<double> inner(piece.cuts.begin() + 1, piece.cuts.end() - 1);
-      sum += piece.sign * integral(at, piece.cuts.front(), inner, piece.cuts.back());
+      sum += piece.sign * integral(at, piece.cuts.front(), inner, piece.cuts.back(), halvings);
     }
-    return sum.value;
+    return sum;
   }
 
   // 1 where the face points along S_u x S_v, -1 where against it.
@@ -249,57 +267,94 @@ class Domain {
   std::vector<BoundaryCurve> boundary_;
 };
 
-double area_of(const TopoDS_Face& face) {
-  return Domain(face).integral_of([](const gp_Pnt&, const gp_Vec& normal) {
-    const double size = normal.Magnitude();
-    return Sum{size, size};
-  });
+Sum area_of(const TopoDS_Face& face, int halvings) {
+  const auto size = [](const gp_Pnt&, const gp_Vec& normal) {
+    return Sum{normal.Magnitude(), normal.Magnitude()};
+  };
+  return Domain(face).integral_of(size, halvings);
 }
 
 // Volume of the cone from `apex` over a face, negative where the face points towards it.
-double volume_below(const TopoDS_Face& face, const gp_Pnt& apex) {
+Sum volume_below(const TopoDS_Face& face, const gp_Pnt& apex) {
   const Domain domain(face);
-  return domain.sign() / 3 * domain.integral_of([&](const gp_Pnt& point, const gp_Vec& normal) {
+  const auto cone = [&](const gp_Pnt& point, const gp_Vec& normal) {
     const gp_Vec ray(apex, point);
     return Sum{ray.Dot(normal), ray.Magnitude() * normal.Magnitude()};
-  });
+  };
+  return domain.sign() / 3 * domain.integral_of(cone, kHalvings);
 }
 
 // Volume inside a closed shell. An apex on the shell keeps the cones small.
-double volume_inside(const TopoDS_Shape& shell) {
+Sum volume_inside(const TopoDS_Shape& shell) {
   const TopExp_Explorer vertex(shell, TopAbs_VERTEX);
   const gp_Pnt apex = BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current()));
-  double sum = 0;
+  Sum sum;
   for (TopExp_Explorer face(shell, TopAbs_FACE); face.More(); face.Next()) {
     sum += volume_below(TopoDS::Face(face.Current()), apex);
   }
   return sum;
 }
 
+Sum volume_of_closed_shells(const TopoDS_Shape& shape) {
+  bool is_open = true;
+  Sum sum;
+  for (TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next()) {
+    if (!BRep_Tool::IsClosed(shell.Current())) continue;
+    is_open = false;
+    sum += volume_inside(shell.Current());
+  }
+  if (is_open) throw std::invalid_argument("An open shape has no volume.");
+  return sum;
+}
+
+Sum area_of_faces(const TopoDS_Shape& shape, int halvings = kHalvings) {
+  Sum sum;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
+    sum += area_of(TopoDS::Face(face.Current()), halvings);
+  }
+  return sum;
+}
+
+// The area that lies between the edges of the faces and their curves on them, at most and about.
+double open_area(const TopoDS_Shape& shape) {
+  GProp_GProps edges;
+  BRepGProp::LinearProperties(shape, edges);
+  return trim_deviation(shape) * edges.Mass();
+}
+
+double size_of(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box);
+  return std::sqrt(box.SquareExtent());
+}
+
+Measure measure(const Sum& sum, double open) {
+  return {sum.value, sum.error + kRounding * sum.size + open};
+}
+
 }  // namespace
 
 double volume(const TopoDS_Shape& shape) {
-  return with_occt_errors([&] {
-    bool is_open = true;
-    double sum = 0;
-    for (TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next()) {
-      if (!BRep_Tool::IsClosed(shell.Current())) continue;
-      is_open = false;
-      sum += volume_inside(shell.Current());
-    }
-    if (is_open) throw std::invalid_argument("An open shape has no volume.");
-    return sum;
-  });
+  return with_occt_errors([&] { return volume_of_closed_shells(shape).value; });
 }
 
 double area(const TopoDS_Shape& shape) {
+  return with_occt_errors([&] { return area_of_faces(shape).value; });
+}
+
+double area_by_one_rule(const TopoDS_Shape& shape) {
+  return with_occt_errors([&] { return area_of_faces(shape, 0).value; });
+}
+
+Measure measured_volume(const TopoDS_Shape& shape) {
   return with_occt_errors([&] {
-    double sum = 0;
-    for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
-      sum += area_of(TopoDS::Face(face.Current()));
-    }
-    return sum;
+    // A cone over the open area is no higher than the shape.
+    return measure(volume_of_closed_shells(shape), open_area(shape) * size_of(shape) / 3);
   });
+}
+
+Measure measured_area(const TopoDS_Shape& shape) {
+  return with_occt_errors([&] { return measure(area_of_faces(shape), open_area(shape)); });
 }
 
 }  // namespace pn
