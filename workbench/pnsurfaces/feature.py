@@ -44,12 +44,14 @@ class Base(NamedTuple):
     """The kernel's surface at distance 0, and what had to be found out about the input.
 
     `notes` are sentences on what was done to the input; `exact` is whether nothing of it was
-    fitted; `results` are values of the subclass's own result properties, by name.
+    fitted, and `deviation` how far fits move the surface at most, in mm; `results` are values of
+    the subclass's own result properties, by name.
     """
 
     surface: Any
     notes: tuple = ()
     exact: bool = True
+    deviation: float = 0.0
     results: Any = MappingProxyType({})
 
 
@@ -133,6 +135,10 @@ class FeatureBase:
         """The surface at distance 0 (Base), from the subclass's inputs."""
         raise NotImplementedError
 
+    def sections(self, obj, surface):
+        """The sections of the surface at distance 0 that are shown, the innermost first."""
+        return [surface.offset(distance) for distance in SIDES[obj.Sides](obj.Distance.Value)]
+
     def execute(self, obj):
         """Makes the shape and the results; on failure keeps both and says why."""
         try:
@@ -157,8 +163,7 @@ class FeatureBase:
     def _computed(self, obj):
         """The shape and the values of the result properties, by name."""
         base = self.base(obj)
-        distances = SIDES[obj.Sides](obj.Distance.Value)
-        sections = [base.surface.offset(distance) for distance in distances]
+        sections = self.sections(obj, base.surface)
         lines = PARAMETER_LINES[obj.ParameterLines]
         faces = [section.bsplines(lines=lines) for section in sections]
         certificates = [section.certificate_of(lines) for section in sections]
@@ -194,7 +199,17 @@ class FeatureBase:
                 obj.addProperty(entry.type, entry.name, entry.group, entry.doc, entry.attributes)
                 if entry.value is not None:
                     setattr(obj, entry.name, entry.value)
+            elif entry.type == "App::PropertyEnumeration":
+                _offer_all_choices(obj, entry)
         obj.SchemaVersion = self.schema_version
+
+
+def _offer_all_choices(obj, entry):
+    """Adds the choices that the program which saved the document did not know."""
+    if obj.getEnumerationsOfProperty(entry.name) != entry.value:
+        chosen = getattr(obj, entry.name)
+        setattr(obj, entry.name, entry.value)
+        setattr(obj, entry.name, chosen)
 
 
 def make_feature(proxy, document, name, values):
@@ -243,7 +258,8 @@ def _results(base, sections, faces, certificates):
     """The values of the result properties that all features have, by name."""
     notes = [*base.notes, *(note for certificate in certificates for note in certificate.notes)]
     every_face = [face for section_faces in faces for face in section_faces]
-    bound = _rounded_up(max(certificate.deviation for certificate in certificates))
+    rounding = max(certificate.deviation for certificate in certificates)
+    bound = _rounded_up(rounding + base.deviation)
     trim_deviation = max(certificate.trim_deviation for certificate in certificates)
     low, high = base.surface.regular_range
     notes = list(dict.fromkeys(notes))
