@@ -37,6 +37,11 @@ def only_face(link, container=None):
     return faces[0]
 
 
+def depends_on(obj, other):
+    """Whether a document object is another one, or made from it."""
+    return obj == other or other in obj.OutListRecursive
+
+
 def circle_through(obj):
     """The objects [obj, ..., obj] of a circle of links that starts at obj, or an empty list."""
     reached = {obj: []}

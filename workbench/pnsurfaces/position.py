@@ -3,7 +3,7 @@
 
 from pnsurfaces.edge_chain import CONFUSION
 
-RELATIVE_LENGTH = "Relative arc length"
+RELATIVE_LENGTH = "Relative length"
 ARC_LENGTH = "Arc length"
 PARAMETER = "Parameter"
 VERTEX = "Vertex"

@@ -118,18 +118,14 @@ def _parsed(text):
 def _with_unit(match):
     number, unit, power = match.groups()
     unit = _UNIT_SYMBOLS.get(unit, unit)
-    if not _is_unit(unit):
-        # A name after a number: the parser says what it thinks of it.
+    try:
+        _unit(unit)
+    except ValueError as error:
+        if isinstance(error, RadiusLawError):
+            raise
+        # A name after a number, but no unit: the parser says what it thinks of it.
         return match.group(0)
     return f"({number} * {_UNIT_PREFIX}{unit}{power or ''})"
-
-
-def _is_unit(name):
-    try:
-        _unit(name)
-    except (ValueError, RadiusLawError):
-        return False
-    return True
 
 
 def _unit(name):

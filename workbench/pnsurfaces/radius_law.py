@@ -122,7 +122,9 @@ def _profile(obj, spine):
     if obj.Profile is None:
         raise RadiusLawError("The profile is missing. Choose an edge, a wire or a sketch.")
     source, names = obj.Profile
-    return _fitted(Profile(source, names, obj.getParentGeoFeatureGroup()), obj, spine)
+    profile = Profile(source, names, obj.getParentGeoFeatureGroup())
+    radii = profile.radii_along_line(spine)
+    return _bezier(spine, radii) if radii else _fitted(profile, obj, spine)
 
 
 _LAWS = {
@@ -154,7 +156,7 @@ class _AlongSpine:
 
 
 def _fitted(function, obj, spine):
-    return RadiusLaw(3, *fitted_law(function, spine, obj.FitTolerance.Value))
+    return RadiusLaw(*fitted_law(function, spine, obj.FitTolerance.Value))
 
 
 def _bezier(spine, coefficients):

@@ -90,8 +90,15 @@ class Spine(NamedTuple):
             return self.stretches[0].begin
         if length >= self.length - CONFUSION:
             return self.stretches[-1].end
-        starts = [stretch.start_length for stretch in self.stretches]
-        return self.stretches[np.searchsorted(starts, length, side="right") - 1].parameter_at(length)
+        return self._stretch("start_length", length).parameter_at(length)
+
+    def stretch_at(self, t):
+        """The stretch of parameter t, at a joint the one that begins there."""
+        return self._stretch("begin", t)
+
+    def _stretch(self, key, value):
+        keys = [getattr(stretch, key) for stretch in self.stretches]
+        return self.stretches[max(np.searchsorted(keys, value, side="right") - 1, 0)]
 
 
 def read_spine(source, names, container=None, curve_of=None):

@@ -13,13 +13,14 @@ import numpy as np
 # take for the same point, a hundredth of a micrometre. Ten times less asks for up to twice the spans.
 FIT_TOLERANCE = 1e-5
 
-# A function that needs more intervals than this has a kink or a pole: each halving divides the
-# deviation from a smooth function by 16 or 64.
-MOST_INTERVALS = 2048
+# A function that needs shorter intervals than this share of the whole has a kink or a pole: each
+# halving divides the deviation from a smooth function by 16 or 64.
+SHORTEST_INTERVAL = 1 / 2048
 
 # Inside each interval the deviation is measured at these shares of it. The middle, where that of
-# Hermite interpolation is largest, is one of them.
-_SHARES = np.arange(1, 8) / 8
+# Hermite interpolation is largest, is one of them; the others are irrational, so that no waves are
+# seen at their zeros only.
+_SHARES = (1 - np.cos(np.pi * (np.arange(9) + 0.5) / 9)) / 2
 
 
 class FitError(ValueError):
@@ -52,26 +53,32 @@ def halved_until_close(knots, deviations, tolerance, what):
     halving helps; `what` names the function there.
     """
     knots = np.asarray(knots, dtype=float)
+    shortest = SHORTEST_INTERVAL * (knots[-1] - knots[0])
     while True:
         found = deviations(knots)
         far = ~(found <= tolerance)
         if not far.any():
             return knots, found.max()
-        if len(knots) > MOST_INTERVALS:
-            worst = np.argmax(found)
+        steps = np.diff(knots)
+        if steps[far].min() <= shortest:
+            worst = np.argmax(far & (steps <= shortest))
             raise FitError(
-                f"No fit: {what} has a kink or a jump near parameter {knots[worst]:.6g}: {len(knots)} knots"
-                f" leave {found[worst]:.2g} mm, more than the tolerance of {tolerance:.2g} mm."
+                f"No fit: {what} has a kink or a jump near parameter {knots[worst]:.6g}. There"
+                f" {found[worst]:.2g} mm are left, more than the tolerance of {tolerance:.2g} mm."
             )
         knots = np.sort(np.concatenate([knots, (knots[:-1] + knots[1:])[far] / 2]))
 
 
+def samples(knots):
+    """The parameters at which a deviation is measured, a row for each interval."""
+    return knots[:-1, None] + np.diff(knots)[:, None] * _SHARES
+
+
 def measured_deviations(function, knots, segments):
     """The largest distance (n - 1,) of Bezier segments (n - 1, order, dim) from a function of t."""
-    basis = _bernstein(segments.shape[1] - 1, _SHARES)
+    basis = bernstein(segments.shape[1] - 1, _SHARES)
     points = np.einsum("sk,nkd->nsd", basis, segments)
-    parameters = knots[:-1, None] + np.diff(knots)[:, None] * _SHARES
-    true = np.array([[function(t) for t in row] for row in parameters]).reshape(points.shape)
+    true = np.array([[function(t) for t in row] for row in samples(knots)]).reshape(points.shape)
     return np.linalg.norm(points - true, axis=2).max(axis=1)
 
 
@@ -113,7 +120,8 @@ def _end_poles(degree, steps, values, slopes, bends=None):
     return poles
 
 
-def _bernstein(degree, shares):
+def bernstein(degree, shares):
+    """The Bernstein polynomials of a degree at shares of their interval, one row for each share."""
     return np.array([
         [math.comb(degree, k) * s**k * (1 - s) ** (degree - k) for k in range(degree + 1)]
         for s in shares
