@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Radius laws and hollow pipes in the task panel of a canal surface, typed and pasted."""
 
-import FreeCADGui
 import main_window
 import Part
 from FreeCAD import Vector

@@ -9,6 +9,7 @@ from FreeCAD import Placement, Rotation, Vector
 from support import DocumentTest
 
 from pnsurfaces.helix import fitted_helix, read_circle, read_helix
+from pnsurfaces.spline_fit import FitError
 
 TOLERANCES = (1e-2, 1e-5, 1e-8)
 
@@ -41,6 +42,12 @@ class HelixTest(DocumentTest):
             edge = Part.makeHelix(10, 30, 20, taper).Edges[0]
             helix = read_helix(edge)
             self.assert_fit(helix, lambda a, taper=taper: _true_point(10, 20, taper, a), 3)
+
+    def test_doubles_are_no_finer_than_they_are(self):
+        helix = read_helix(Part.makeHelix(10, 30, 20).Edges[0])
+        for tolerance in (0.0, 1e-15):
+            with self.assertRaisesRegex(FitError, "its rounding is"):
+                fitted_helix(helix, "a helix", (0, 1), tolerance)
 
     def test_moved(self):
         source = self.shape_object(Part.makeHelix(10, 20, 5))

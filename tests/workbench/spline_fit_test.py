@@ -44,7 +44,8 @@ class Halving(unittest.TestCase):
 
     def test_a_kink_is_named(self):
         deviations = _deviations(lambda t: abs(t - 0.3), lambda t: np.sign(t - 0.3))
-        with self.assertRaisesRegex(FitError, r"No fit: a roof has a kink .* near parameter 0\.(299|300)"):
+        sentence = r"No fit: a roof has a kink .* near parameter 0\.(299|300)"
+        with self.assertRaisesRegex(FitError, sentence):
             halved_until_close([0, 1], deviations, 1e-6, "a roof")
 
     def test_waves_are_not_missed(self):

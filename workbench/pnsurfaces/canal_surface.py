@@ -181,18 +181,32 @@ def make_canal_surface(spine, radius, distance=0, *, document=None, name="CanalS
     Parameters
     ----------
     spine : document object (all its edges), (object, "Edge1") or (object, ["Edge1", "Edge2"])
-    radius : number (constant), (start, end) (linear), or (law, list of radii) with the law
-        "Values at vertices" or "Bezier coefficients"
+    radius : one of
+        a number : constant
+        (start, end) : linear in the parameter of the spine
+        ("Values at vertices", [r1, r2, ...]) : the C2 spline through a radius for each vertex
+        ("Bezier coefficients", [b0, b1, ...]) : the polynomial with these coefficients
+        ("Table", [(position, r), ...]) : the C2 spline through radii at positions, in any order
+        ("Expression", text) : the radius by the position s and the length L of the spine, such as
+            "2 mm + 0.5 mm * sin(2*pi*s)"; followed by a spline within FitTolerance
+        ("Profile", edges) : the distance of these edges, given as a spine is; the pipe runs through
+            them. Followed by a spline within FitTolerance, unless both are straight in one plane
     distance : signed offset, positive away from the spine
     document : the document of the spine unless given
     name : wanted internal name and label
-    properties : values of further properties, such as Output="Solid" or Sides="Both sides"
+    properties : values of further properties, among them
+        PositionBy : "Relative length" (0 to 1), "Arc length" (mm), "Parameter" (0 to 1), or, of a
+            table, "Vertex" (1, 2, ...)
+        FitTolerance : how far fits may be off; 1e-5 mm unless given
+        Hollow : "No", "Wall thickness" or "Inner radius", with WallThickness (measured inwards) or
+            InnerRadius
+        Output : "Surface" or "Solid";  Sides, ParameterLines : as in the task panel
 
     Returns the document object. A surface that cannot be computed is there all the same, as in the
     tree, with the reason in getStatusString() and the property Status.
 
-    Raises AttributeError or TypeError for a property that does not exist or cannot have the value;
-    nothing is then left in the document.
+    Raises what FreeCAD raises for a property that does not exist (AttributeError) or cannot have
+    the value (TypeError, ValueError, ArithmeticError); nothing is then left in the document.
     """
     source, names = as_link(spine)
     values = {

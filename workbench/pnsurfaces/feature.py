@@ -93,7 +93,8 @@ RESULTS = (
            QT_TRANSLATE_NOOP("App::Property", "Number of poles of all faces")),
     result("App::PropertyString", "Deviation",
            QT_TRANSLATE_NOOP("App::Property",
-                             "Proven bound on the distance to the true surface")),
+                             "Bound on the distance to the true surface; proven, but for"
+                             " fits that are said to be measured")),
     # The property editor would show it as 0.00.
     Property("App::PropertyFloat", "DeviationBound", "Result",
              QT_TRANSLATE_NOOP("App::Property", "The same bound as a number, in millimetres"),

@@ -10,7 +10,6 @@ import itertools
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.polynomial.chebyshev import chebpts1
 
 from pnsurfaces.cubic_spline import clamped_ends, cubic_spline, spline_slopes
 from pnsurfaces.edge_chain import CONFUSION
@@ -47,25 +46,29 @@ def fitted_law(function, spine, tolerance):
 
     Raises FitError when the function is not smooth on a stretch.
     """
-    polynomials = (_polynomial(function, spine, degree) for degree in _DEGREES)
+    radii = _sampled(function, spine)
+    polynomials = (_polynomial(radii, spine, degree) for degree in _DEGREES)
     close = (law for law in polynomials if law.deviation <= tolerance)
     *law, deviation = _closed_up(next(close, None) or _spline(function, spine, tolerance), spine)
     return *law, (Fit(function.what, deviation, proven=False),)
 
 
-def _polynomial(function, spine, degree):
-    """The polynomial over the whole spine through radii at Chebyshev points."""
-    first, last = spine.curve.domain
-    parameters = chebpts1(degree + 1) * (last - first) / 2 + (first + last) / 2
-    radii = [function.radius(spine.stretch_at(t), t) for t in parameters]
-    shares = (parameters - first) / (last - first)
-    coefficients = np.linalg.solve(bernstein(degree, shares), radii)
-    deviation = max(
-        abs(coefficients @ bernstein(degree, [(t - first) / (last - first)])[0]
-            - function.radius(stretch, t))
+def _sampled(function, spine):
+    """Pairs (parameter, radius), those at which a deviation is measured."""
+    return np.array([
+        (t, function.radius(stretch, t))
         for stretch in spine.stretches
         for t in samples(stretch.breaks).flat
-    )
+    ])
+
+
+def _polynomial(sampled, spine, degree):
+    """The polynomial over the whole spine that is nearest to sampled radii by least squares."""
+    first, last = spine.curve.domain
+    parameters, radii = sampled.T
+    basis = bernstein(degree, (parameters - first) / (last - first))
+    coefficients = np.linalg.lstsq(basis, radii, rcond=None)[0]
+    deviation = np.abs(basis @ coefficients - radii).max()
     order = degree + 1
     return _Spline(degree, [first, last], [order, order], coefficients, deviation)
 
@@ -78,7 +81,9 @@ def _spline(function, spine, tolerance):
     multiplicities = [4, *itertools.chain(*((*ones, 3) for ones in inner))]
     multiplicities[-1] = 4
     deviation = max(piece.deviation for piece in pieces)
-    return _Spline(3, np.concatenate(knots), multiplicities, np.concatenate(coefficients), deviation)
+    return _Spline(
+        3, np.concatenate(knots), multiplicities, np.concatenate(coefficients), deviation
+    )
 
 
 def _piece(function, stretch, tolerance):
@@ -99,7 +104,7 @@ def _piece(function, stretch, tolerance):
 
 
 def _closed_up(law, spine):
-    """On a closed spine the last radius is the first one, which the function gives with rounding."""
+    """On a closed spine the last radius is the first one, but for the rounding of the function."""
     gap = abs(law.coefficients[-1] - law.coefficients[0])
     if not spine.closed or gap > CONFUSION:
         return law

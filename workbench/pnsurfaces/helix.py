@@ -15,7 +15,7 @@ import numpy as np
 import Part
 
 from pnsurfaces.curve_fit import bspline_curve
-from pnsurfaces.spline_fit import Fit
+from pnsurfaces.spline_fit import Fit, FitError
 
 _STRAIGHT_CURVES = (Part.Line, Part.LineSegment)
 
@@ -90,8 +90,16 @@ def read_circle(edge):
 
 
 def fitted_helix(helix, what, domain, tolerance):
-    """A C2 quintic spline (Part.BSplineCurve) over the domain (first, last), and its Fit."""
+    """A C2 quintic spline (Part.BSplineCurve) over the domain (first, last), and its Fit.
+
+    Raises FitError when doubles are coarser than the tolerance.
+    """
     allowed = tolerance - helix.rounding()
+    if allowed <= 0:
+        raise FitError(
+            f"No fit: {what} of this size has no points within {tolerance:.2g} mm; its rounding is"
+            f" {helix.rounding():.2g} mm."
+        )
     step = (allowed / (_HERMITE_FACTOR * helix.sixth_derivative())) ** (1 / 6)
     count = max(1, math.ceil(1 / step))
     shares = np.linspace(0, 1, count + 1)

@@ -90,7 +90,8 @@ class RadiusExpression:
 
     def slope(self, s):
         """The derivative of the radius by the position."""
-        return float(self._evaluated(np.complex128(complex(s, _IMAGINARY_STEP))).imag / _IMAGINARY_STEP)
+        beside = self._evaluated(np.complex128(complex(s, _IMAGINARY_STEP)))
+        return float(beside.imag / _IMAGINARY_STEP)
 
     def _evaluated(self, s):
         with np.errstate(all="ignore"):

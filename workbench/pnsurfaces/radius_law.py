@@ -167,7 +167,7 @@ def _bezier(spine, coefficients):
 
 
 def _through(spine, parameters, radii):
-    """The C2 cubic spline through radii at parameters from end to end, periodic on closed spines."""
+    """The C2 cubic spline through radii at parameters from end to end, periodic if closed."""
     if spine.closed and radii[0] != radii[-1]:
         raise RadiusLawError("The spine is closed: its first and last radius must be equal.")
     if len(parameters) == 2:

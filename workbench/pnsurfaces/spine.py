@@ -57,8 +57,13 @@ class Stretch(NamedTuple):
     def parameter_at(self, length):
         """The parameter of the spine at this length from its start."""
         along = min(max(length - self.start_length, 0.0), self.length)
-        own = self.curve.parameterAtDistance(along, self.curve.FirstParameter)
-        return self.begin + (own - self.curve.FirstParameter) / self._rate()
+        first, last = self.curve.FirstParameter, self.curve.LastParameter
+        own = self.curve.parameterAtDistance(along, first)
+        # OpenCASCADE finds it within some 1e-6 mm; a step of Newton's method gives more digits.
+        speed = self.curve.getD1(own)[1].Length
+        if speed > 0:
+            own = min(max(own + (along - self.curve.length(first, own)) / speed, first), last)
+        return self.begin + (own - first) / self._rate()
 
     def _own(self, t):
         return self.curve.FirstParameter + (t - self.begin) * self._rate()

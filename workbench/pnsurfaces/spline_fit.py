@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 # How far a spline may be from what it follows, in millimetres: what the most widespread CAD kernels
-# take for the same point, a hundredth of a micrometre. Ten times less asks for up to twice the spans.
+# take for the same point, a hundredth of a micrometre. A tenth of it needs up to twice the spans.
 FIT_TOLERANCE = 1e-5
 
 # A function that needs shorter intervals than this share of the whole has a kink or a pole: each
@@ -28,7 +28,7 @@ class FitError(ValueError):
 
 
 class Fit(NamedTuple):
-    """That `what` was replaced by a spline: how far that is away in mm, and whether it is proved."""
+    """That `what` was replaced by a spline: how far off that is in mm, and whether it is proved."""
 
     what: str
     deviation: float
