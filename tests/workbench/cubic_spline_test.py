@@ -4,6 +4,7 @@
 import random
 import unittest
 
+import numpy as np
 import Part
 from FreeCAD import Vector
 
@@ -13,6 +14,7 @@ from pnsurfaces.cubic_spline import (
     natural_ends,
     periodic_ends,
     spline_slopes,
+    values_at_ends,
 )
 
 SEED = 20
@@ -69,6 +71,16 @@ class CubicSpline(unittest.TestCase):
         for parameters, _, curve in self.problems(clamped_ends(-1.0, 2.0)):
             self.assertAlmostEqual(curve.getDN(parameters[0], 1).x, -1, delta=1e-10)
             self.assertAlmostEqual(curve.getDN(parameters[-1], 1).x, 2, delta=1e-10)
+
+    def test_natural_splines_may_end_beyond_their_values(self):
+        for parameters, values, _ in self.problems(natural_ends):
+            first, last = parameters[0] - 0.7, parameters[-1] + 0.2
+            ends = values_at_ends(np.array(parameters), np.array(values), first, last)
+            knots = np.array([first, *parameters[1:-1], last])
+            through = np.array([ends[0], *values[1:-1], ends[1]])
+            curve = _curve(list(knots), cubic_spline(knots, through, natural_ends))
+            for parameter, value in zip(parameters, values):
+                self.assertAlmostEqual(curve.value(parameter).x, value, delta=1e-10)
 
     def test_slopes(self):
         for parameters, values, curve in self.problems(natural_ends):

@@ -85,7 +85,23 @@ class Tables(LawTest):
             self.assertAlmostEqual(self.radius_at(obj, height), radius, delta=1e-7)
         self.assertEqual(obj.Radii, [3, 2, 2.54])
 
-    def test_beyond_the_rows_the_law_runs_straight_on(self):
+    def test_rows_need_not_reach_the_ends(self):
+        rows = [(0.2, 2), (0.5, 3), (0.7, 2.5)]
+        obj = make_canal_surface(self.spline_object(), ("Table", rows), PositionBy="Parameter")
+        self.assert_made(obj)
+        for t, radius in rows:
+            self.assertAlmostEqual(self.radius_at(obj, t), radius, delta=1e-7)
+
+    def test_rows_on_a_line_are_linear(self):
+        curve = Part.BezierCurve()
+        curve.setPoles([Vector(), Vector(30, 10, 0), Vector(50, 40, 10)])
+        source = self.shape_object(curve.toShape())
+        rows = [(0.1, 2.1), (0.3, 2.3), (0.9, 2.9)]
+        obj = make_canal_surface(source, ("Table", rows), PositionBy="Parameter")
+        self.assert_made(obj)
+        self.assertEqual(obj.Degree, make_canal_surface(source, (2, 3)).Degree)
+
+    def test_two_rows_are_linear(self):
         obj = make_canal_surface(self.line_object(100), ("Table", [(0.25, 2), (0.75, 3)]))
         linear = make_canal_surface(obj.Spine[0], (1.5, 3.5))
         self.assertAlmostEqual(obj.Shape.Area, linear.Shape.Area, delta=1e-6)

@@ -29,6 +29,28 @@ def spline_slopes(parameters, values, ends):
     return _derivatives(steps, np.diff(values) / steps, ends)[0]
 
 
+def values_at_ends(parameters, values, first, last):
+    """The values (2,) at the ends of the natural spline over [first, last] through values (n,).
+
+    Its knots are first, the inner parameters, and last.
+    """
+    knots = np.concatenate([[first], parameters[1:-1], [last]])
+
+    def outermost(at_ends):
+        through = np.concatenate([at_ends[:1], values[1:-1], at_ends[1:]])
+        steps = np.diff(knots)
+        _, bends = _derivatives(steps, np.diff(through) / steps, natural_ends)
+        return np.array([
+            _value_beside(through[0], through[1], steps[0], bends[1], parameters[0] - first),
+            _value_beside(through[-1], through[-2], steps[-1], bends[-2], last - parameters[-1]),
+        ])
+
+    # The spline depends linearly on its values.
+    none = outermost(np.zeros(2))
+    effects = np.column_stack([outermost(unit) - none for unit in np.eye(2)])
+    return np.linalg.solve(effects, values[[0, -1]] - none)
+
+
 def natural_ends(system, jumps, steps, chords):
     """The second derivative is zero at both ends."""
     system[0, 0] = system[-1, -1] = 1
@@ -52,6 +74,13 @@ def clamped_ends(first_slope, last_slope):
         jumps[-1] = 6 * (last_slope - chords[-1])
 
     return ends
+
+
+def _value_beside(end_value, next_value, step, bend, distance):
+    """The value at a distance from a natural end; `bend` is the second derivative one step away."""
+    share = distance / step
+    chord = end_value * (1 - share) + next_value * share
+    return chord - step**2 / 6 * bend * (share - share**3)
 
 
 def _derivatives(steps, chords, ends):

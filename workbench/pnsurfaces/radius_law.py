@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from pnsurfaces import kernel
-from pnsurfaces.cubic_spline import cubic_spline, natural_ends, periodic_ends, spline_slopes
+from pnsurfaces.cubic_spline import cubic_spline, natural_ends, periodic_ends, values_at_ends
 from pnsurfaces.fitted_law import fitted_law
 from pnsurfaces.position import ARC_LENGTH, measure
 from pnsurfaces.profile import Profile
@@ -35,6 +35,11 @@ INPUTS_OF_LAW = {
 
 # Laws that are no splines of themselves.
 FITTED_LAWS = (EXPRESSION, PROFILE)
+
+
+# Radii that are as near to a line, by their largest, lie on it. A cubic through them would have
+# nothing but rounding in its higher terms, and a surface of ten times the degree.
+_ROUNDING = 16 * np.finfo(float).eps
 
 
 class RadiusLaw(NamedTuple):
@@ -170,8 +175,8 @@ def _through(spine, parameters, radii):
     """The C2 cubic spline through radii at parameters from end to end, periodic if closed."""
     if spine.closed and radii[0] != radii[-1]:
         raise RadiusLawError("The spine is closed: its first and last radius must be equal.")
-    if len(parameters) == 2:
-        return _bezier(spine, radii)
+    if _is_straight(parameters, radii):
+        return _bezier(spine, radii[[0, -1]])
     ends = periodic_ends if spine.closed else natural_ends
     coefficients = cubic_spline(parameters, radii, ends)
     multiplicities = [4] + [1] * (len(parameters) - 2) + [4]
@@ -204,19 +209,20 @@ def _closed_up(spine, parameters, radii):
 
 
 def _extended(spine, parameters, radii):
-    """The rows, and rows at the ends of the spine on the tangents of the spline through the others.
-
-    The second derivative is zero at the ends, so that the spline stays C2 and the same between.
-    """
+    """The rows, the first and the last moved along their spline to the ends of the spine."""
     first, last = spine.curve.domain
-    slopes = spline_slopes(parameters, radii, natural_ends)
-    before = [first] if parameters[0] > first else []
-    after = [last] if parameters[-1] < last else []
+    if len(parameters) == 2:
+        at_ends = radii[0] + (np.array([first, last]) - parameters[0]) * (
+            (radii[1] - radii[0]) / (parameters[1] - parameters[0])
+        )
+    else:
+        at_ends = values_at_ends(parameters, radii, first, last)
     return (
-        np.concatenate([before, parameters, after]),
-        np.concatenate([
-            [radii[0] + slopes[0] * (t - parameters[0]) for t in before],
-            radii,
-            [radii[-1] + slopes[-1] * (t - parameters[-1]) for t in after],
-        ]),
+        np.concatenate([[first], parameters[1:-1], [last]]),
+        np.concatenate([at_ends[:1], radii[1:-1], at_ends[1:]]),
     )
+
+
+def _is_straight(parameters, radii):
+    line = np.interp(parameters, parameters[[0, -1]], radii[[0, -1]])
+    return np.abs(radii - line).max() <= _ROUNDING * np.abs(radii).max()
