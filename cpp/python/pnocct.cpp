@@ -251,11 +251,12 @@ PYBIND11_MODULE(pnocct, m) {
         "Faces of several parts give a compound of solids. Raises ValueError when an open end is\n"
         "not planar or not closed.");
   m.def("thick_solid", &thick_solid, "inner_faces"_a, "outer_faces"_a,
-        "Return the solid between two offsets of one surface.\n\n"
+        "Return the solid between two offsets of one surface, or two pipes around one spine.\n\n"
         "Closed shells, the first inside the second, make a solid with a void; open ones, without\n"
         "trims, are joined by ruled walls along their free sides. That they do not touch is not\n"
         "examined. Raises ValueError when only one shell is closed, when the first does not lie\n"
-        "inside the second, and when open shells differ in structure or are trimmed.");
+        "inside the second, when the free sides of open shells do not correspond, and when open\n"
+        "shells are trimmed.");
   m.def("check", &check, "brep"_a, "boolean"_a = false,
         "Return the faults of a shape as sentences; none when it is valid.\n\n"
         "With boolean=True a valid shape is also examined as an argument of Boolean operations,\n"
