@@ -240,7 +240,7 @@ def _base_of_face(found):
         "FaceDeviation": deviation_text(found.deviation),
         "Placement": found.placement,
     }
-    return Base(surface, tuple(notes), not found.is_fitted(), results)
+    return Base(surface, notes=tuple(notes), exact=not found.is_fitted(), results=results)
 
 
 def _half_axes(obj):
