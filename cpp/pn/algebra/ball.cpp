@@ -121,15 +121,25 @@ long precision_of(const std::vector<Ball>& balls) {
   return precision;
 }
 
-/// Calls add(k, x, y, count) for the first coefficients of a product: the terms of coefficient k
-/// are the products of `count` numbers from x on with as many from y backwards.
-template <class Number, class Add>
-void for_each_coefficient(const std::vector<Number>& a, const std::vector<Number>& b,
-                          std::size_t coefficients, Add&& add) {
-  const std::size_t n = a.size() - 1, m = b.size() - 1;
-  for (std::size_t k = 0; k < std::min(coefficients, n + m + 1); ++k) {
+/// sum += x[0] y[0] + x[1] y[-1] + ...
+void add_backwards(RealBall& sum, arb_srcptr x, arb_srcptr y, slong count, long precision) {
+  arb_dot(sum.arb(), sum.arb(), 0, x, 1, y, -1, count, precision);
+}
+void add_backwards(ComplexBall& sum, acb_srcptr x, acb_srcptr y, slong count, long precision) {
+  acb_dot(sum.acb(), sum.acb(), 0, x, 1, y, -1, count, precision);
+}
+
+template <class Ball>
+void add_product_of(std::vector<Ball>& sum, const std::vector<Ball>& a,
+                    const std::vector<Ball>& b) {
+  const long precision = std::max({precision_of(sum), precision_of(a), precision_of(b)});
+  const auto x = lent(a), y = lent(b);
+  const std::size_t n = x.size() - 1, m = y.size() - 1;
+  for (std::size_t k = 0; k < std::min(sum.size(), n + m + 1); ++k) {
     const std::size_t first = k > m ? k - m : 0, last = std::min(k, n);
-    add(k, &a[first], &b[k - first], static_cast<slong>(last - first + 1));
+    sum[k].set_precision(precision);
+    add_backwards(sum[k], &x[first], &y[k - first], static_cast<slong>(last - first + 1),
+                  precision);
   }
 }
 
@@ -155,24 +165,12 @@ RealBall dot(const std::vector<RealBall>& a, const std::vector<RealBall>& b) {
 
 void add_product(std::vector<RealBall>& sum, const std::vector<RealBall>& a,
                  const std::vector<RealBall>& b) {
-  const long precision = std::max({precision_of(sum), precision_of(a), precision_of(b)});
-  for_each_coefficient(lent(a), lent(b), sum.size(),
-                       [&](std::size_t k, arb_srcptr x, arb_srcptr y, slong count) {
-                         RealBall& c = sum[k];
-                         c.set_precision(precision);
-                         arb_dot(c.arb(), c.arb(), 0, x, 1, y, -1, count, precision);
-                       });
+  add_product_of(sum, a, b);
 }
 
 void add_product(std::vector<ComplexBall>& sum, const std::vector<ComplexBall>& a,
                  const std::vector<ComplexBall>& b) {
-  const long precision = std::max({precision_of(sum), precision_of(a), precision_of(b)});
-  for_each_coefficient(lent(a), lent(b), sum.size(),
-                       [&](std::size_t k, acb_srcptr x, acb_srcptr y, slong count) {
-                         ComplexBall& c = sum[k];
-                         c.set_precision(precision);
-                         acb_dot(c.acb(), c.acb(), 0, x, 1, y, -1, count, precision);
-                       });
+  add_product_of(sum, a, b);
 }
 
 }  // namespace pn

@@ -45,7 +45,7 @@ std::vector<double> greville_abscissae(const std::vector<double>& knots) {
   return abscissae;
 }
 
-/// The values and derivatives that a spline takes from its poles are rows of a banded matrix.
+/// A value of a spline as a combination of its poles, by their numbers.
 struct BandedRow : ActiveBasis {
   double at(std::size_t column) const { return values[static_cast<Eigen::Index>(column - first)]; }
   double& at(std::size_t column) { return values[static_cast<Eigen::Index>(column - first)]; }
@@ -106,8 +106,7 @@ double relative_difference(double exact, double near) {
   return std::abs(exact - near) / std::max(1.0, std::abs(exact));
 }
 
-/// The largest error in a coordinate at places inside a span: in the middle, where it is largest
-/// when spans are equal, and in between elsewhere.
+/// The largest error in a coordinate at places inside a span, between the abscissae.
 double error(const ParameterCurve& curve, const SplineBasis& basis, const ParameterPath& path,
              double begin, double end) {
   double largest = 0;
