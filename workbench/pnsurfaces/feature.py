@@ -49,15 +49,15 @@ class Base(NamedTuple):
     """The kernel's surface at distance 0, and what had to be found out about the input.
 
     `notes` are sentences on what was done to the input; `exact` is whether nothing of it was
-    fitted, and `deviation` how far fits move the surface at most, in mm; `results` are values of
-    the subclass's own result properties, by name.
+    fitted; `results` are values of the subclass's own result properties, by name; `deviation` is
+    how far fits move the surface at most, in mm.
     """
 
     surface: Any
     notes: tuple = ()
     exact: bool = True
-    deviation: float = 0.0
     results: Any = MappingProxyType({})
+    deviation: float = 0.0
 
 
 class Sections(NamedTuple):

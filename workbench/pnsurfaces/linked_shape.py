@@ -39,18 +39,26 @@ def only_face(link, container=None):
 
 def depends_on(obj, other):
     """Whether a document object is another one, or made from it."""
-    return obj == other or other in obj.OutListRecursive
+    return obj == other or bool(_path(obj, other))
 
 
 def circle_through(obj):
     """The objects [obj, ..., obj] of a circle of links that starts at obj, or an empty list."""
-    reached = {obj: []}
+    return _path(obj, obj)
+
+
+def _path(obj, goal):
+    """The objects [obj, ..., goal], each made from the next, or an empty list.
+
+    FreeCAD's own lists of sources raise where links go round in a circle.
+    """
+    reached = {obj: [obj]}
     waiting = [obj]
     while waiting:
         current = waiting.pop()
         for source in current.OutList:
-            if source == obj:
-                return [obj, *reached[current], obj]
+            if source == goal:
+                return [*reached[current], goal]
             if source not in reached:
                 reached[source] = [*reached[current], source]
                 waiting.append(source)

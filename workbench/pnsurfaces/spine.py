@@ -19,6 +19,9 @@ from pnsurfaces.spline_fit import Fit
 # A joint that turns by more than this, in radians, is a corner to the kernel whatever its size.
 _CORNER = 1e-6
 
+# A unit vector to which no plane that a designer draws in is perpendicular.
+_SKEW = np.array([0.36, 0.48, 0.8])
+
 
 class Stretch(NamedTuple):
     """A part of the spine that is C2: a clamped Part.BSplineCurve.
@@ -171,7 +174,17 @@ def _touching(chain):
     points = [start(curve) for curve in chain.curves]
     if not chain.closed:
         points.append(end(chain.curves[-1]))
-    coordinates = np.array([tuple(point) for point in points])
-    distances = np.linalg.norm(coordinates[:, None] - coordinates, axis=2)
-    again = np.argwhere(np.triu(distances <= CONFUSION, 1))
-    return tuple(f"The spine touches itself at {place(points[i])}." for i in sorted({*again[:, 0]}))
+    again = sorted({i for i, _ in _coincident(np.array([tuple(point) for point in points]))})
+    return tuple(f"The spine touches itself at {place(points[i])}." for i in again)
+
+
+def _coincident(points):
+    """Pairs (i, j), i < j, of the same point, found among neighbours along a skew line."""
+    along = points @ _SKEW
+    order = np.argsort(along)
+    for position, i in enumerate(order):
+        for j in order[position + 1 :]:
+            if along[j] - along[i] > CONFUSION:
+                break
+            if np.linalg.norm(points[j] - points[i]) <= CONFUSION:
+                yield min(i, j), max(i, j)
