@@ -152,7 +152,8 @@ class PointSource {
     }
     double& own = p(static_cast<Eigen::Index>(axis));
     if (square_[axis] == 0) {
-      own = axis == 2 ? -rest / (2 * half_linear_) : within(axis);
+      if (axis != 2) return std::nullopt;
+      own = -rest / (2 * half_linear_);
     } else {
       own = std::sqrt(-rest / square_[axis]) * (random_() % 2 == 0 ? 1 : -1);
     }
@@ -197,9 +198,7 @@ class FaceMap {
     }
   }
 
-  Vector3d point(const Place& place) const {
-    return vector(evaluate(face_, place.x(), place.y()));
-  }
+  Vector3d point(const Place& place) const { return vector(evaluate(face_, place.x(), place.y())); }
   /// The place at these parts of the knots.
   Place at(double along, double across) const {
     const auto between = [](const std::vector<double>& knots, double part) {
@@ -373,7 +372,7 @@ class QuadricConcept {
           Stretch side = {curve.poles.front(), curve.poles.back()};
           if (curve.degree > 1) continue;
           const bool is_pole = side[0][0] == side[1][0] && (side[0][0] == 0 || side[0][0] == 1);
-          if (is_pole) continue;
+          if (is_pole && !chain_.closed) continue;
           for (auto& end : side) {
             end[1] = std::fmod(end[1], 4);
             if (chain_.closed) end[0] = std::fmod(end[0], chain_.links.back().end);
@@ -529,8 +528,8 @@ class QuadricConcept {
   EnvelopeChain chain_;
   PNSurface surface_;
   std::mt19937_64 random_;
-  double size_ = 0;         ///< the largest coordinate of a pole
-  Vector3d low_, high_;     ///< the box around the region
+  double size_ = 0;      ///< the largest coordinate of a pole
+  Vector3d low_, high_;  ///< the box around the region
 };
 
 /// The error with which an input was refused; nothing when it passed every check.
@@ -540,7 +539,10 @@ std::optional<GeometryError> check_quadric(const QuadricInput& input, std::uint6
     return std::nullopt;
   } catch (const GeometryError& error) {
     return error;
-  } catch (const std::exception& error) { CHECK(std::string(error.what()) == ""); return std::nullopt; }
+  } catch (const std::exception& error) {
+    CHECK(std::string(error.what()) == "");
+    return std::nullopt;
+  }
 }
 
 TEST_CASE("Every quadric is exact and covers its region, no more", "[concept]") {
@@ -554,7 +556,9 @@ TEST_CASE("Every quadric is exact and covers its region, no more", "[concept]") 
     INFO("RandomQuadric(" << seed + i << "): " << input);
     const std::optional<GeometryError> error = check_quadric(input, seed + i);
     if (!error) continue;
-    if (std::getenv("SHOW")) std::cout << seed + i << " " << input << "\n    " << to_string(error->code()) << " " << error->what() << "\n";
+    if (std::getenv("SHOW"))
+      std::cout << seed + i << " " << input << "\n    " << to_string(error->code()) << " "
+                << error->what() << "\n";
     ++refused[name_of(input.kind) + std::string(" ") + to_string(error->code())];
     ++refusals;
   }

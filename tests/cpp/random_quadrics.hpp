@@ -55,7 +55,8 @@ inline std::ostream& operator<<(std::ostream& out, const QuadricInput& input) {
       << input.half[2];
   for (std::size_t i = 0; i < 3; ++i) {
     const Interval& interval = input.bounds.box[i];
-    out << ", " << "xyz"[i] << " " << interval.low << " " << interval.high;
+    out << ", "
+        << "xyz"[i] << " " << interval.low << " " << interval.high;
   }
   if (input.bounds.angle) {
     out << ", angle " << input.bounds.angle->low << " " << input.bounds.angle->high;
@@ -235,8 +236,8 @@ class RandomQuadric {
       case 1: {
         touches_ = true;
         if (special_.empty()) return high;
-        const double at = special_[static_cast<std::size_t>(
-            below(static_cast<int>(special_.size())))][axis];
+        const double at =
+            special_[static_cast<std::size_t>(below(static_cast<int>(special_.size())))][axis];
         return one_in(2) ? at : -at;
       }
       case 2: {

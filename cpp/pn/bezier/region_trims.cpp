@@ -62,7 +62,7 @@ class RegionParameters {
     const std::complex<double> mixed = std::conj(a(0)) * a(1);
     const Vector3d normal(2 * mixed.real() / size, 2 * mixed.imag() / size,
                           (std::norm(a(0)) - std::norm(a(1))) / size);
-    return region_.contains(normal);
+    return region_.contains({at[0], normal});
   }
 
  private:
