@@ -105,7 +105,7 @@ double excess(const QuadricBounds& bounds, const Vector3d& p) {
   }
   if (!bounds.angle) return result;
   const double width = bounds.angle->high - bounds.angle->low;
-  if (width >= 2 * M_PI) return result;
+  if (width >= 2 * M_PI - 1e-8) return result;
   const auto left_of = [&](double angle) {
     return p.y() * std::cos(angle) - p.x() * std::sin(angle);
   };

@@ -16,7 +16,9 @@ using Curve = std::function<Vector3d(double)>;
 /// The sides of an arc are looked at this near to it, as a part of the size: well below the height
 /// at which a bound no longer touches, well above rounding.
 constexpr double kAside = 1e-12;
-/// For the direction of an arc at its middle.
+/// A sector that leaves out less than a slit of this kind goes all around: its angles were rounded.
+constexpr double kFullTurn = 2 * M_PI - 1e-8;
+/// For the direction of an arc.
 constexpr double kStep = 1e-6;
 
 double angle_from(double start, const Vector3d& p) {
@@ -27,6 +29,66 @@ double angle_from(double start, const Vector3d& p) {
 Curve part(const Curve& curve, double begin, double end) {
   return [=](double t) { return curve(begin + t * (end - begin)); };
 }
+
+/// The part of a closed curve over [0, 1] that may run on through its start.
+Curve around(const Curve& curve, double begin, double end) {
+  return part([=](double t) { return curve(t - std::floor(t)); }, begin, end);
+}
+
+/// Where on a curve it is nearest to a point.
+double nearest(const Curve& curve, const Vector3d& point) {
+  constexpr int kSamples = 64;
+  const auto distance = [&](double t) { return (curve(t) - point).squaredNorm(); };
+  int best = 0;
+  for (int i = 1; i <= kSamples; ++i) {
+    if (distance(1.0 * i / kSamples) < distance(1.0 * best / kSamples)) best = i;
+  }
+  double low = std::max(0, best - 1) / (1.0 * kSamples),
+         high = std::min(kSamples, best + 1) / (1.0 * kSamples);
+  constexpr int kThirds = 60;
+  for (int i = 0; i < kThirds; ++i) {
+    const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+    (distance(a) < distance(b) ? high : low) = distance(a) < distance(b) ? b : a;
+  }
+  return (low + high) / 2;
+}
+
+/// A curve that passes near a point, at a parameter that grows with the distance from it: beside a
+/// pole of the parametrization, directions turn as fast as the point goes by.
+Curve slowed_beside(const Vector3d& point, const Curve& curve) {
+  constexpr double kNear = 0.1;
+  const double at = nearest(curve, point);
+  const double before = std::max(0.0, at - kStep), after = std::min(1.0, at + kStep);
+  const double speed = (curve(after) - curve(before)).norm() / (after - before);
+  const double width = (curve(at) - point).norm() / speed;
+  if (!(width > kSamePoint && width < kNear)) return curve;
+  const double first = std::asinh(-at / width), last = std::asinh((1 - at) / width);
+  return [=](double t) {
+    return curve(std::clamp(at + width * std::sinh(first + t * (last - first)), 0.0, 1.0));
+  };
+}
+
+/// A closed curve over [0, 1], starting elsewhere.
+Curve started_far_from(const std::vector<Vector3d>& points, const Curve& curve) {
+  constexpr int kPlaces = 16;
+  const auto distance = [&](int place) {
+    double least = HUGE_VAL;
+    for (const Vector3d& p : points) {
+      least = std::min(least, (curve(1.0 * place / kPlaces) - p).norm());
+    }
+    return least;
+  };
+  int farthest = 0;
+  for (int i = 1; i < kPlaces; ++i) {
+    if (distance(i) > distance(farthest)) farthest = i;
+  }
+  return around(curve, 1.0 * farthest / kPlaces, 1.0 * farthest / kPlaces + 1);
+}
+
+/// Points that count as one: every conic through one of them ends there.
+using Corner = std::vector<Vector3d>;
+/// They are so many times as far apart as what passes through a point.
+constexpr double kCornerSize = 8;
 
 /// Where a conic passes through a corner.
 struct Cut {
@@ -78,12 +140,12 @@ class RegionTracer {
         quadric_(quadric),
         planes_(planes_of(bounds)),
         tolerance_(kSamePoint * quadric.size()) {
-    for (const Vector3d& stop : quadric.stops) add_corner(stop);
+    for (const Vector3d& stop : quadric.stops) add_corner_at(stop);
     for (std::size_t i = 0; i < planes_.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         for (const Vector3d& p :
              common_points(quadric.equation, planes_[i], planes_[j], quadric.size())) {
-          add_corner(p);
+          add_corner_at(p);
         }
       }
     }
@@ -94,7 +156,7 @@ class RegionTracer {
     for (const BoundingPlane& plane : planes_) {
       for (const BoundaryConic& conic : section(quadric_.equation, plane, quadric_.reach)) {
         for (const Arc& arc : arcs_between(conic, cuts(conic))) {
-          if (is_boundary(arc) && !is_among(arcs, arc)) arcs.push_back(arc);
+          if (is_boundary(arc) && !is_among(arcs, arc)) arcs.push_back(slowed(arc));
         }
       }
     }
@@ -104,27 +166,48 @@ class RegionTracer {
  private:
   bool is_same(const Vector3d& a, const Vector3d& b) const { return (a - b).norm() < tolerance_; }
 
-  void add_corner(const Vector3d& p) {
-    const bool is_known = std::any_of(corners_.begin(), corners_.end(),
-                                      [&](const Vector3d& corner) { return is_same(corner, p); });
-    if (!is_known) corners_.push_back(p);
+  void add_corner_at(const Vector3d& p) {
+    const auto known = std::find_if(corners_.begin(), corners_.end(), [&](const Corner& corner) {
+      return std::any_of(corner.begin(), corner.end(), [&](const Vector3d& q) {
+        return (p - q).norm() < kCornerSize * tolerance_;
+      });
+    });
+    if (known == corners_.end()) {
+      corners_.push_back({p});
+    } else {
+      known->push_back(p);
+    }
   }
 
   std::vector<Cut> cuts(const BoundaryConic& conic) const {
     std::vector<Cut> cuts;
     for (std::size_t i = 0; i < corners_.size(); ++i) {
-      const double at = conic.parameter(corners_[i]);
-      if (is_same(conic.point(at), corners_[i])) cuts.push_back({at, i});
+      for (const Vector3d& p : corners_[i]) {
+        const double at = conic.parameter(p);
+        if (!is_same(conic.point(at), p)) continue;
+        cuts.push_back({at, i});
+        break;
+      }
     }
     return cuts;
   }
 
-  /// Just one side of it is in the region.
+  /// A closed conic starts where it is farthest from stops, so that it passes them inside.
+  Arc slowed(Arc arc) const {
+    if (!arc.start) arc.curve = started_far_from(quadric_.stops, arc.curve);
+    for (const Vector3d& stop : quadric_.stops) arc.curve = slowed_beside(stop, arc.curve);
+    return arc;
+  }
+
+  /// Just one side of it is in the region: at two places, since another bound may touch it in one.
   bool is_boundary(const Arc& arc) const {
-    const Vector3d p = arc.curve(0.5);
-    const Vector3d along = arc.curve(0.5 + kStep) - arc.curve(0.5 - kStep);
-    const Vector3d aside =
-        kAside * quadric_.size() * quadric_.equation.half_gradient(p).cross(along).normalized();
+    return has_one_side_inside(arc.curve, 0.4) && has_one_side_inside(arc.curve, 0.7);
+  }
+
+  bool has_one_side_inside(const Curve& curve, double at) const {
+    const Vector3d p = curve(at), along = curve(at + kStep) - curve(at - kStep);
+    const Vector3d aside = kAside * quadric_.size() *
+                           quadric_.equation.half_gradient(p).cross(along).normalized();
     return is_inside(bounds_, p + aside) != is_inside(bounds_, p - aside);
   }
 
@@ -171,7 +254,7 @@ class RegionTracer {
   const TracedQuadric& quadric_;
   std::vector<BoundingPlane> planes_;
   double tolerance_;
-  std::vector<Vector3d> corners_;
+  std::vector<Corner> corners_;
 };
 
 void require_interval(const Interval& interval, const char* name) {
@@ -226,7 +309,7 @@ QuadricBounds effective_bounds(const QuadricBounds& bounds, const TracedQuadric&
     if (interval.low <= extent.low + least) interval.low = -HUGE_VAL;
     if (interval.high >= extent.high - least) interval.high = HUGE_VAL;
   }
-  if (bounds.angle && bounds.angle->high - bounds.angle->low >= 2 * M_PI - kSamePoint) {
+  if (bounds.angle && bounds.angle->high - bounds.angle->low >= kFullTurn) {
     result.angle.reset();
   }
   return result;
