@@ -32,10 +32,13 @@ Squares between_poles() {
           BallForm({RealBall(1), RealBall(-2), RealBall(1)})};
 }
 
-/// s = t, r = 1.
-Squares from_pole() {
+/// s = t and r from one value at t = 0 to another one at t = 1.
+Squares from_pole(const Rational& first, const Rational& last, long precision) {
+  const Rational rise = last - first;
   return {BallForm({RealBall(0), RealBall(0), RealBall(1)}),
-          BallForm({RealBall(1), RealBall(0), RealBall(0)})};
+          BallForm({in_balls(first * first, precision),
+                    in_balls(first * rise + first * rise, precision),
+                    in_balls(rise * rise, precision)})};
 }
 
 /// T as a quotient of forms.
@@ -307,16 +310,23 @@ class TwoSheetHyperboloidFamily : public QuadricFamily {
 
 class EllipticParaboloidFamily : public QuadricFamily {
  public:
-  explicit EllipticParaboloidFamily(const std::array<Rational, 3>& half_axes) {
+  EllipticParaboloidFamily(const std::array<Rational, 3>& half_axes,
+                           const std::vector<Vector3d>& far_normals) {
     const auto [first, second] = by_size<2>({0, 1}, half_axes);
     axis_ = {first, second};
     const Rational twice = half_axes[2] + half_axes[2];
     square_ = {half_axes[first] * half_axes[first] / twice,
                half_axes[second] * half_axes[second] / twice};
-    const double ratio = (square_[1] / square_[0]).to_double();
-    const double rest = ((square_[0] - square_[1]) / square_[0]).to_double();
-    pole_ = Vector3d(0, 0, -std::sqrt(ratio));
-    pole_(static_cast<Eigen::Index>(second)) = std::sqrt(rest);
+    pole_ = Vector3d(0, 0, -std::sqrt((square_[1] / square_[0]).to_double()));
+    pole_(static_cast<Eigen::Index>(second)) =
+        std::sqrt(((square_[0] - square_[1]) / square_[0]).to_double());
+    double far = 0;
+    for (const Vector3d& n : far_normals) far = std::max(far, ratio(n));
+    // The distance from the pole grows nearly as q / (1 - q^2), q = s / r. At the pole weights are
+    // as r^6, at the end as (r^2 - s^2)^2 r^2: r is such that they are of one size.
+    const double distance = kBeyond * far / (1 - far * far);
+    last_ = (1 + std::sqrt(1 + 4 * distance * distance)) / (2 * distance);
+    first_ = last_ * std::cbrt(1 - 1 / (last_ * last_));
   }
 
   LocalForms forms(long precision) const override {
@@ -327,23 +337,36 @@ class EllipticParaboloidFamily : public QuadricFamily {
     circles.level = -root_of(square_[0], precision) * t.denominator;
     DoubleRoots roots;
     roots.real = {{RealBall(0), 1}};
-    roots.infinite_copies = 1;
+    const Rational first = Rational::exactly(first_), rise = Rational::exactly(last_) - first;
+    if (rise.is_zero()) {
+      roots.infinite_copies = 1;
+    } else {
+      roots.real.push_back({in_balls(-first / rise, precision), 1});
+    }
     return {carrier(precision), std::move(circles), std::move(roots), true};
   }
 
   double parameter(const Vector3d& n) const override {
-    // -T -+ sqrt(B) is sqrt(A) |n - e|^2 / 2 over -n3, with e the pole and its mirror image: so t
-    // keeps all its digits at the pole.
-    const Vector3d mirrored(pole_.x(), pole_.y(), -pole_.z());
-    return (n - pole_).norm() / (n - mirrored).norm();
+    const double q = ratio(n);
+    return first_ * q / (1 - (last_ - first_) * q);
   }
 
  private:
   RealBall gap(long precision) const { return root_of(square_[0] - square_[1], precision); }
 
+  /// s / r of a normal. -T -+ sqrt(B) is sqrt(A) |n - e|^2 / 2 over -n3, with e the pole and its
+  /// mirror image: so the ratio keeps all its digits at the pole.
+  double ratio(const Vector3d& n) const {
+    const Vector3d mirrored(pole_.x(), pole_.y(), -pole_.z());
+    return (n - pole_).norm() / (n - mirrored).norm();
+  }
+
+  /// The family ends so much farther from the pole than the farthest normal.
+  static constexpr double kBeyond = 1.125;
+
   /// T = -sqrt(B) (r^2 + s^2) / (r^2 - s^2).
   Quotient ruling(long precision) const {
-    const auto [s, r] = from_pole();
+    const auto [s, r] = from_pole(Rational::exactly(first_), Rational::exactly(last_), precision);
     return {-root_of(square_[1], precision) * (r + s), r - s};
   }
 
@@ -371,6 +394,7 @@ class EllipticParaboloidFamily : public QuadricFamily {
   std::array<Axis, 2> axis_;        ///< of A and B
   std::array<Rational, 2> square_;  ///< A and B
   Vector3d pole_;                   ///< the normal at t = 0
+  double first_, last_;             ///< r at t = 0 and t = 1
 };
 
 }  // namespace
@@ -388,8 +412,8 @@ std::shared_ptr<const QuadricFamily> two_sheet_hyperboloid_family(
 }
 
 std::shared_ptr<const QuadricFamily> elliptic_paraboloid_family(
-    const std::array<Rational, 3>& half_axes) {
-  return std::make_shared<EllipticParaboloidFamily>(half_axes);
+    const std::array<Rational, 3>& half_axes, const std::vector<Vector3d>& far_normals) {
+  return std::make_shared<EllipticParaboloidFamily>(half_axes, far_normals);
 }
 
 }  // namespace pn

@@ -26,11 +26,13 @@ Vector3d product(const Vector3d& a, const Vector3d& b) { return a.cwiseProduct(b
 
 Interval about_zero(double width) { return {-width, width}; }
 
+GeometryError bounds_miss() { return {ErrorCode::kRegionEmpty, "The bounds miss the surface."}; }
+
 /// What two intervals have in common; the bounds miss the surface where that is nothing.
 Interval common(const Interval& a, const Interval& b) {
   const Interval result = {std::max(a.low, b.low), std::min(a.high, b.high)};
   if (result.low <= result.high) return result;
-  throw GeometryError(ErrorCode::kRegionEmpty, "The bounds miss the surface.");
+  throw bounds_miss();
 }
 
 double farthest(const Interval& interval) {
@@ -97,27 +99,30 @@ OrientedQuadric oriented_ellipsoid(const Vector3d& a, const QuadricFamily& famil
 OrientedQuadric oriented_bowl(const QuadricEquation& equation, const Vector3d& a, double vertex,
                               const std::function<double(double)>& scale_at,
                               const std::function<double(double, double)>& height,
-                              const QuadricBounds& bounds, const QuadricFamily& family) {
+                              const QuadricBounds& bounds) {
   require_bounded(bounds, true);
   const Interval infinite, upwards = {vertex, HUGE_VAL};
   const double scale = scale_at(common(upwards, bounds.box[2]).high);
+  if (!(scale > 0)) throw bounds_miss();
   const Interval x = common(bounds.box[0], about_zero(scale * a.x())),
                  y = common(bounds.box[1], about_zero(scale * a.y()));
   const Interval z = common(bounds.box[2], {vertex, height(farthest(x), farthest(y))});
-  OrientedQuadric quadric{{equation, {infinite, infinite, upwards}, {x, y, z}, {}}, 1};
+  return {{equation, {infinite, infinite, upwards}, {x, y, z}, {}}, 1};
+}
+
+OrientedQuadric with_first_pole(OrientedQuadric quadric, const QuadricFamily& family) {
   quadric.poles[0] = pole_at(quadric, family, 0);
   quadric.traced.stops = {quadric.poles[0]};
   return quadric;
 }
 
-OrientedQuadric oriented_two_sheet_hyperboloid(const Vector3d& a, const QuadricBounds& bounds,
-                                               const QuadricFamily& family) {
+OrientedQuadric oriented_two_sheet_hyperboloid(const Vector3d& a, const QuadricBounds& bounds) {
   const Vector3d squares(a.x() * a.x(), a.y() * a.y(), -a.z() * a.z());
   return oriented_bowl(
       {squares.cwiseInverse(), 0, 1, true}, a, a.z(),
       [=](double z) { return std::sqrt((z / a.z() - 1) * (z / a.z() + 1)); },
       [=](double x, double y) { return a.z() * std::hypot(1, std::hypot(x / a.x(), y / a.y())); },
-      bounds, family);
+      bounds);
 }
 
 /// c (1/a^2, sign/b^2, 0).
@@ -125,13 +130,31 @@ Vector3d squares_of_paraboloid(const Vector3d& a, double sign) {
   return {a.z() / (a.x() * a.x()), sign * a.z() / (a.y() * a.y()), 0};
 }
 
-OrientedQuadric oriented_elliptic_paraboloid(const Vector3d& a, const QuadricBounds& bounds,
-                                             const QuadricFamily& family) {
+OrientedQuadric oriented_elliptic_paraboloid(const Vector3d& a, const QuadricBounds& bounds) {
   const Vector3d squares = squares_of_paraboloid(a, 1);
   return oriented_bowl(
       {squares, -0.5, 0, false}, a, 0, [=](double z) { return std::sqrt(z / a.z()); },
-      [=](double x, double y) { return squares.x() * x * x + squares.y() * y * y; }, bounds,
-      family);
+      [=](double x, double y) { return squares.x() * x * x + squares.y() * y * y; }, bounds);
+}
+
+/// Around a region of a paraboloid: above the border of the rectangle that holds it, but not above
+/// its largest height.
+std::vector<Vector3d> farthest_normals(const OrientedQuadric& paraboloid) {
+  constexpr int kPlaces = 16;
+  const auto& [x, y, z] = paraboloid.traced.reach;
+  const Vector3d& square = paraboloid.traced.equation.square;
+  std::vector<Vector3d> normals;
+  const auto add = [&](double p, double q) {
+    const double height = square.x() * p * p + square.y() * q * q;
+    const double scale = std::sqrt(std::min(1.0, z.high / height));
+    normals.push_back(paraboloid.normal({scale * p, scale * q, 0}).normalized());
+  };
+  for (int i = 0; i <= kPlaces; ++i) {
+    const double part = static_cast<double>(i) / kPlaces;
+    for (const double p : {x.low, x.high}) add(p, y.low + part * (y.high - y.low));
+    for (const double q : {y.low, y.high}) add(x.low + part * (x.high - x.low), q);
+  }
+  return normals;
 }
 
 /// Half the width in x and in y of a rectangle over which a region is certified.
@@ -156,8 +179,8 @@ Parametrization by_normals(const OrientedQuadric& quadric,
 std::vector<BoundaryLoop> region_loops(const OrientedQuadric& quadric,
                                        const QuadricBounds& bounds) {
   std::vector<BoundaryLoop> loops = boundary_loops(bounds, quadric.traced);
-  if (!loops.empty()) return loops;
-  throw GeometryError(ErrorCode::kRegionEmpty, "The bounds miss the surface.");
+  if (loops.empty()) throw bounds_miss();
+  return loops;
 }
 
 BoundedRegion region_of(const OrientedQuadric& quadric, const QuadricBounds& bounds,
@@ -551,14 +574,15 @@ EnvelopeChain quadric(QuadricKind kind, const std::array<double, 3>& half_axes,
     }
     case QuadricKind::kTwoSheetHyperboloid: {
       const auto family = two_sheet_hyperboloid_family(half);
-      const OrientedQuadric sheet = oriented_two_sheet_hyperboloid(a, bounds, *family);
+      const OrientedQuadric sheet =
+          with_first_pole(oriented_two_sheet_hyperboloid(a, bounds), *family);
       return pencil_chain(family, sheet, bounds,
                           two_sheet_hyperboloid_patches(half, bounds, half_widths(sheet)));
     }
     case QuadricKind::kEllipticParaboloid: {
-      const auto family = elliptic_paraboloid_family(half);
-      const OrientedQuadric bowl = oriented_elliptic_paraboloid(a, bounds, *family);
-      return pencil_chain(family, bowl, bounds,
+      const OrientedQuadric bowl = oriented_elliptic_paraboloid(a, bounds);
+      const auto family = elliptic_paraboloid_family(half, farthest_normals(bowl));
+      return pencil_chain(family, with_first_pole(bowl, *family), bounds,
                           paraboloid_patches(half, 1, -1, bounds, half_widths(bowl)));
     }
     case QuadricKind::kHyperbolicParaboloid:
