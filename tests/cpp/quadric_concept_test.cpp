@@ -190,9 +190,9 @@ class FaceMap {
  public:
   explicit FaceMap(const BSplineSurface& face) : face_(face) {
     for (const TrimLoop& loop : face.trims) polygons_.push_back(polygon(loop));
-    for (int i = 0; i <= kGrid; ++i) {
+    for (const double along : grid()) {
       for (int j = 0; j <= kGrid; ++j) {
-        const Place place = at(static_cast<double>(i) / kGrid, static_cast<double>(j) / kGrid);
+        const Place place = at(along, static_cast<double>(j) / kGrid);
         nodes_.push_back({place, point(place)});
       }
     }
@@ -206,6 +206,9 @@ class FaceMap {
     };
     return {between(face_.u_knots, along), between(face_.v_knots, across)};
   }
+  /// Within the knots but for rounding.
+  bool holds(const Place& place) const { return (place - clamped(place)).norm() < 1e-12; }
+  /// Inside the loops.
   bool contains(const Place& place) const {
     if (polygons_.empty()) return true;
     bool inside = false;
@@ -231,16 +234,19 @@ class FaceMap {
     }
     return areas;
   }
-  /// Where a point lies on the whole face, by the Gauss-Newton method from the nearest nodes.
-  std::optional<Place> place_of(const Vector3d& target, double tolerance) const {
+  /// Where a point lies on the whole face, by the Gauss-Newton method from the nearest nodes; what
+  /// is near is measured in parts of a box, since regions may be slender.
+  std::optional<Place> place_of(const Vector3d& target, const Vector3d& box,
+                                double tolerance) const {
     std::vector<Node> nearest = nodes_;
-    const auto is_nearer = [&](const Node& a, const Node& b) {
-      return (a.point - target).squaredNorm() < (b.point - target).squaredNorm();
+    const auto distance = [&](const Node& node) {
+      return (node.point - target).cwiseQuotient(box).squaredNorm();
     };
-    constexpr std::ptrdiff_t kStarts = 8;
+    const auto is_nearer = [&](const Node& a, const Node& b) { return distance(a) < distance(b); };
+    constexpr std::ptrdiff_t kStarts = 6;
     std::partial_sort(nearest.begin(), nearest.begin() + kStarts, nearest.end(), is_nearer);
     for (std::ptrdiff_t i = 0; i < kStarts; ++i) {
-      const Place place = approached(nearest[static_cast<std::size_t>(i)].place, target);
+      const Place place = approached(nearest[static_cast<std::size_t>(i)].place, target, box);
       if ((point(place) - target).norm() <= tolerance) return place;
     }
     return std::nullopt;
@@ -248,6 +254,16 @@ class FaceMap {
 
  private:
   static constexpr int kGrid = 16;
+  /// Parts of the knots along, denser at both ends, where lines may be far from even.
+  static std::vector<double> grid() {
+    std::vector<double> parts;
+    for (int i = 0; i <= kGrid; ++i) parts.push_back(static_cast<double>(i) / kGrid);
+    for (int k = 5; k <= 12; ++k) {
+      parts.push_back(std::ldexp(1, -k));
+      parts.push_back(1 - std::ldexp(1, -k));
+    }
+    return parts;
+  }
   struct Node {
     Place place;
     Vector3d point;
@@ -274,33 +290,27 @@ class FaceMap {
     return {std::clamp(p.x(), face_.u_knots.front(), face_.u_knots.back()),
             std::clamp(p.y(), face_.v_knots.front(), face_.v_knots.back())};
   }
-  Place approached(Place place, const Vector3d& target) const {
+  Place approached(Place place, const Vector3d& target, const Vector3d& box) const {
     constexpr int kSteps = 60;
     constexpr double kDifference = 1e-6;
-    double damping = 1e-3;
-    double error = (point(place) - target).norm();
+    const auto gap = [&](const Place& p) -> Vector3d {
+      return (point(p) - target).cwiseQuotient(box);
+    };
+    double damping = 1e-3, error = gap(place).norm();
     for (int step = 0; step < kSteps && error > 0; ++step) {
       Eigen::Matrix<double, 3, 2> slopes;
       for (int c = 0; c < 2; ++c) {
-        Place low = place, high = place;
-        low(c) -= kDifference;
-        high(c) += kDifference;
-        low = clamped(low);
-        high = clamped(high);
-        slopes.col(c) = (point(high) - point(low)) / (high(c) - low(c));
+        const Place aside = kDifference * Place::Unit(c);
+        const Place low = clamped(place - aside), high = clamped(place + aside);
+        slopes.col(c) = (gap(high) - gap(low)) / (high(c) - low(c));
       }
       Eigen::Matrix2d normal = slopes.transpose() * slopes;
       normal.diagonal() *= 1 + damping;
-      const Place next =
-          clamped(place - normal.ldlt().solve(slopes.transpose() * (point(place) - target)));
-      const double closer = (point(next) - target).norm();
-      if (closer < error) {
-        place = next;
-        error = closer;
-        damping *= 0.1;
-      } else {
-        damping *= 10;
-      }
+      const Place next = clamped(place - normal.ldlt().solve(slopes.transpose() * gap(place)));
+      const bool is_closer = gap(next).norm() < error;
+      if (is_closer) place = next;
+      error = gap(place).norm();
+      damping *= is_closer ? 0.1 : 10;
     }
     return place;
   }
@@ -327,8 +337,8 @@ class QuadricConcept {
     const SectionNet net(chain_, Lines::kEven, certificate.precision_bits);
     for (const BSplineSurface& face : faces) {
       check_plain_data(face);
-      size_ = std::max(size_, extent(face));
     }
+    measure(faces);
     check_neighbours(net);
     check_inner_sides(faces);
     check_edges(faces, certificate.trim_deviation);
@@ -389,10 +399,38 @@ class QuadricConcept {
     }
   }
 
+  /// The box around the region.
+  void measure(const std::vector<BSplineSurface>& faces) {
+    constexpr int kPoints = 9;
+    const auto add = [&](const BSplineSurface& face, double u, double v) {
+      const auto p = evaluate(face, u, v);
+      low_ = low_.cwiseMin(Vector3d(p[0], p[1], p[2]));
+      high_ = high_.cwiseMax(Vector3d(p[0], p[1], p[2]));
+    };
+    for (const BSplineSurface& face : faces) {
+      for (const TrimLoop& loop : face.trims) {
+        for (const ParameterCurve& curve : loop) {
+          for (int k = 0; k < kPoints; ++k) {
+            const auto [u, v] = evaluate(curve, static_cast<double>(k) / kPoints);
+            add(face, u, v);
+          }
+        }
+      }
+      if (!face.trims.empty()) continue;
+      const FaceMap map(face);
+      for (int i = 0; i < kPoints; ++i) {
+        for (int j = 0; j < kPoints; ++j) {
+          const Place place = map.at(i / (kPoints - 1.0), j / (kPoints - 1.0));
+          add(face, place.x(), place.y());
+        }
+      }
+    }
+    size_ = std::max(low_.cwiseAbs().maxCoeff(), high_.cwiseAbs().maxCoeff());
+  }
+
   /// The loops are closed, the outer one runs counterclockwise around all others, and their curves
   /// lie on the bounds.
-  void check_edges(const std::vector<BSplineSurface>& faces, double trim_deviation) {
-    low_ = high_ = point_on(faces.front(), 0.5, 0.5);
+  void check_edges(const std::vector<BSplineSurface>& faces, double trim_deviation) const {
     for (const BSplineSurface& face : faces) {
       const FaceMap map(face);
       const std::vector<double> areas = map.areas();
@@ -400,37 +438,19 @@ class QuadricConcept {
       for (const TrimLoop& loop : face.trims) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
           CHECK(loop[i].poles.back() == loop[(i + 1) % loop.size()].poles.front());
-          constexpr int kPoints = 9;
-          for (int k = 0; k < kPoints; ++k) {
-            const auto [u, v] = evaluate(loop[i], static_cast<double>(k) / kPoints);
+          for (const double part : {0.0, 0.1, 0.3, 0.5, 0.6, 0.8, 0.9, 1.0}) {
+            const auto [u, v] = evaluate(loop[i], part);
             const Vector3d p = map.point({u, v});
-            widen(p);
-            if (loop[i].degree == 1) continue;
             CAPTURE(u, v, p.transpose());
+            CHECK(map.holds({u, v}));
+            if (loop[i].degree == 1) continue;
             CHECK(std::abs(excess(input_.bounds, p)) <= trim_deviation + kRounding * size_);
           }
         }
       }
-      if (!face.trims.empty()) continue;
-      for (int i = 0; i <= 8; ++i) {
-        for (int j = 0; j <= 8; ++j) widen(point_on(face, i / 8.0, j / 8.0));
-      }
     }
     // For bodies of some millimetres, and in proportion for others.
     CHECK(trim_deviation <= 1e-9 * size_ / 4);
-  }
-
-  static Vector3d point_on(const BSplineSurface& face, double along, double across) {
-    const auto between = [](const std::vector<double>& knots, double part) {
-      return knots.front() + part * (knots.back() - knots.front());
-    };
-    const auto p = evaluate(face, between(face.u_knots, along), between(face.v_knots, across));
-    return {p[0], p[1], p[2]};
-  }
-
-  void widen(const Vector3d& p) {
-    low_ = low_.cwiseMin(p);
-    high_ = high_.cwiseMax(p);
   }
 
   /// Places are inside the loops just when their points are inside the bounds, and every point of
@@ -460,7 +480,7 @@ class QuadricConcept {
       if (std::abs(beyond) <= clear) continue;
       int times = 0;
       for (const FaceMap& map : maps) {
-        const std::optional<Place> place = map.place_of(*p, 1e-9 * size_);
+        const std::optional<Place> place = map.place_of(*p, margin, 1e-9 * size_);
         if (place && map.contains(*place)) ++times;
       }
       CAPTURE(p->transpose(), beyond);
@@ -528,8 +548,8 @@ class QuadricConcept {
   EnvelopeChain chain_;
   PNSurface surface_;
   std::mt19937_64 random_;
-  double size_ = 0;      ///< the largest coordinate of a pole
-  Vector3d low_, high_;  ///< the box around the region
+  Vector3d low_ = Vector3d::Constant(HUGE_VAL), high_ = -low_;  ///< the box around the region
+  double size_ = 0;                                             ///< its largest coordinate
 };
 
 /// The error with which an input was refused; nothing when it passed every check.
