@@ -185,11 +185,20 @@ class PointSource {
   double half_linear_, constant_;
 };
 
-/// A face at distance zero with polygons that follow its loops, and a grid of points on it.
+/// A face at distance zero with polygons that follow its loops, and a grid of points around them.
 class FaceMap {
  public:
   explicit FaceMap(const BSplineSurface& face) : face_(face) {
+    low_ = {face.u_knots.front(), face.v_knots.front()};
+    high_ = {face.u_knots.back(), face.v_knots.back()};
     for (const TrimLoop& loop : face.trims) polygons_.push_back(polygon(loop));
+    if (!polygons_.empty()) {
+      std::swap(low_, high_);
+      for (const Place& corner : polygons_.front()) {
+        low_ = low_.cwiseMin(corner);
+        high_ = high_.cwiseMax(corner);
+      }
+    }
     for (const double along : grid()) {
       for (int j = 0; j <= kGrid; ++j) {
         const Place place = at(along, static_cast<double>(j) / kGrid);
@@ -199,12 +208,9 @@ class FaceMap {
   }
 
   Vector3d point(const Place& place) const { return vector(evaluate(face_, place.x(), place.y())); }
-  /// The place at these parts of the knots.
+  /// The place at these parts of the rectangle around the loops.
   Place at(double along, double across) const {
-    const auto between = [](const std::vector<double>& knots, double part) {
-      return knots.front() + part * (knots.back() - knots.front());
-    };
-    return {between(face_.u_knots, along), between(face_.v_knots, across)};
+    return low_ + Place(along, across).cwiseProduct(high_ - low_);
   }
   /// Within the knots but for rounding.
   bool holds(const Place& place) const { return (place - clamped(place)).norm() < 1e-12; }
@@ -254,7 +260,7 @@ class FaceMap {
 
  private:
   static constexpr int kGrid = 16;
-  /// Parts of the knots along, denser at both ends, where lines may be far from even.
+  /// Parts along, denser at both ends, where lines may be far from even.
   static std::vector<double> grid() {
     std::vector<double> parts;
     for (int i = 0; i <= kGrid; ++i) parts.push_back(static_cast<double>(i) / kGrid);
@@ -316,7 +322,8 @@ class FaceMap {
   }
 
   const BSplineSurface& face_;
-  std::vector<std::vector<Place>> polygons_;
+  std::vector<std::vector<Place>> polygons_;  ///< along the loops, the outer one first
+  Place low_, high_;                          ///< the rectangle around them
   std::vector<Node> nodes_;
 };
 
