@@ -17,7 +17,7 @@ using Point = std::array<double, 2>;
 constexpr int kDegree = 5;
 constexpr std::size_t kFirstSpans = 4;
 /// Beyond this many halvings of the first spans the sixth power gains nothing more in doubles.
-constexpr double kLeastSpan = 1.0 / 1024;
+constexpr double kLeastSpan = 1.0 / 4096;
 
 ParameterCurve frame(const std::vector<double>& knots) {
   ParameterCurve curve;
