@@ -378,7 +378,8 @@ class Planner {
                                               attempt.margin);
       segments_ = region_parts(circles, std::min(attempt.lines_degree, room(0)));
       do {
-        if (is_region_covered(circles.boundary)) return;
+        // Around whole circles lines are constant, and there is nothing else to try.
+        if (circles.boundary.empty() || is_region_covered(circles.boundary)) return;
       } while (halve_bad_segments(attempt.halvings));
     }
     throw GeometryError(ErrorCode::kWeightsNotPositive,
