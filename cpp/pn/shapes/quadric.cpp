@@ -68,14 +68,13 @@ Vector3d pole_at(const OrientedQuadric& quadric, const QuadricFamily& family, do
   return quadric.point(-axis / circles.level(end));
 }
 
-void require_bounded(const QuadricBounds& bounds, bool height_ends_it) {
-  if (height_ends_it && bounds.box[2].high < HUGE_VAL) return;
+/// Of a surface that opens upwards.
+void require_bounded(const QuadricBounds& bounds) {
+  if (bounds.box[2].high < HUGE_VAL) return;
   if (bounds.box[0].is_bounded() && bounds.box[1].is_bounded()) return;
   throw GeometryError(ErrorCode::kRegionUnbounded,
-                      height_ends_it
-                          ? "The surface is infinite. Give the largest height z, or bounds of both "
-                            "x and y."
-                          : "The surface is infinite. Give bounds of both x and y.");
+                      "The surface is infinite. Give the largest height z, or bounds of both x and "
+                      "y.");
 }
 
 void require_heights(const QuadricBounds& bounds) {
@@ -100,7 +99,7 @@ OrientedQuadric oriented_bowl(const QuadricEquation& equation, const Vector3d& a
                               const std::function<double(double)>& scale_at,
                               const std::function<double(double, double)>& height,
                               const QuadricBounds& bounds) {
-  require_bounded(bounds, true);
+  require_bounded(bounds);
   const Interval infinite, upwards = {vertex, HUGE_VAL};
   const double scale = scale_at(common(upwards, bounds.box[2]).high);
   if (!(scale > 0)) throw bounds_miss();
@@ -348,6 +347,11 @@ SphereCurve hyperboloid_directrix(const std::array<Rational, 3>& half, const Rat
           times(half[2], sum)};
 }
 
+/// Nothing but heights bounds a surface around the z-axis.
+bool is_whole_ring(const QuadricBounds& bounds) {
+  return are_none({{bounds.box[0], bounds.box[1], Interval()}, bounds.angle});
+}
+
 /// All the way around: four links, between which (n, d) turns by equal areas, so that their
 /// sections meet with the same weights.
 EnvelopeChain whole_one_sheet_hyperboloid(const std::array<Rational, 3>& half,
@@ -381,7 +385,9 @@ OrientedQuadric oriented_one_sheet_hyperboloid(const Vector3d& a, const QuadricB
   const Interval x = common(bounds.box[0], about_zero(scale * a.x())),
                  y = common(bounds.box[1], about_zero(scale * a.y()));
   const Vector3d squares(a.x() * a.x(), a.y() * a.y(), -a.z() * a.z());
-  return {{{squares.cwiseInverse(), 0, -1, false}, Box(), {x, y, z}, {}}, 1};
+  // Between the heights, which always cut it, the surface has an extent.
+  const Box extent = {about_zero(scale * a.x()), about_zero(scale * a.y()), Interval()};
+  return {{{squares.cwiseInverse(), 0, -1, false}, extent, {x, y, z}, {}}, 1};
 }
 
 /// Angles modulo pi on the loops: the middle of the shortest arc that holds them all.
@@ -407,23 +413,13 @@ double middle_on(const std::vector<BoundaryLoop>& loops,
   return middle;
 }
 
-/// The bounds without those of x and y that hold everywhere between the heights.
-QuadricBounds without_distant_planes(QuadricBounds bounds, const OrientedQuadric& quadric,
-                                     const Vector3d& a) {
-  const double scale = std::hypot(1, farthest(bounds.box[2]) / a.z());
-  TracedQuadric between_heights = quadric.traced;
-  between_heights.extent = {about_zero(scale * a.x()), about_zero(scale * a.y()), Interval()};
-  return effective_bounds(bounds, between_heights);
-}
-
 EnvelopeChain one_sheet_hyperboloid(const std::array<Rational, 3>& half, const Vector3d& a,
                                     const QuadricBounds& given) {
   require_heights(given);
   const Interval& heights = given.box[2];
   const OrientedQuadric quadric = oriented_one_sheet_hyperboloid(a, given);
-  const QuadricBounds bounds = without_distant_planes(given, quadric, a);
-  const bool is_whole = !bounds.angle && are_none({{bounds.box[0], bounds.box[1], Interval()}, {}});
-  if (is_whole) return whole_one_sheet_hyperboloid(half, heights);
+  const QuadricBounds bounds = effective_bounds(given, quadric.traced);
+  if (is_whole_ring(bounds)) return whole_one_sheet_hyperboloid(half, heights);
   const auto loops = region_loops(quadric, bounds);
   // The direction of (n, d) on the ruling through a point.
   const auto direction = [=](const Vector3d& p) {
@@ -461,19 +457,6 @@ EnvelopeChain one_sheet_hyperboloid(const std::array<Rational, 3>& half, const V
 
 // Developable quadrics ---------------------------------------------------------------------------
 
-void require_heights_only(const QuadricBounds& bounds) {
-  if (!bounds.box[2].is_bounded()) {
-    throw GeometryError(ErrorCode::kRegionUnbounded,
-                        "The surface is infinite. Give the least and the largest height z.");
-  }
-  const auto is_bound = [](const Interval& i) {
-    return std::isfinite(i.low) || std::isfinite(i.high);
-  };
-  if (!bounds.angle && !is_bound(bounds.box[0]) && !is_bound(bounds.box[1])) return;
-  throw GeometryError(ErrorCode::kRegionUnsupported,
-                      "Of cylinders and cones only bounds of the height z are supported.");
-}
-
 void require_revolution(const std::array<double, 3>& half_axes, const char* what) {
   if (half_axes[0] == half_axes[1]) return;
   throw GeometryError(ErrorCode::kNotRational,
@@ -482,9 +465,57 @@ void require_revolution(const std::array<double, 3>& half_axes, const char* what
                           "elliptic function. Only the one of revolution (a = b) is exact.");
 }
 
-EnvelopeChain cylinder_of_revolution(double radius, const Interval& heights) {
+/// A surface of revolution about z, which between its heights has this radius at most.
+OrientedQuadric oriented_about_axis(const QuadricEquation& equation, double widest,
+                                    const QuadricBounds& bounds) {
+  const Interval width = about_zero(widest);
+  const Box extent = {width, width, Interval()};
+  const Box reach = {common(bounds.box[0], width), common(bounds.box[1], width), bounds.box[2]};
+  return {{equation, extent, reach, {}}, 1};
+}
+
+/// Heights somewhat beyond those of a region, so that its boundary lies inside, and on the same
+/// side of an apex at z = 0.
+Interval beyond_heights(const Interval& heights, bool has_apex) {
+  constexpr double kMargin = 0.0625;
+  const double margin = kMargin * (heights.high - heights.low);
+  const Interval wider = {heights.low - margin, heights.high + margin};
+  if (!has_apex) return wider;
+  return {heights.low > 0 ? std::max(wider.low, heights.low / 2) : wider.low,
+          heights.high < 0 ? std::min(wider.high, heights.high / 2) : wider.high};
+}
+
+/// The region of a link over these heights, on which t grows with z, where bounds cut it further.
+BoundedRegion region_about_axis(const OrientedQuadric& quadric, const QuadricBounds& bounds,
+                                const Interval& heights,
+                                const std::function<double(double)>& radius_at) {
+  const auto [low, high] = heights;
+  const Parametrization parametrization = {
+      [=](const Vector3d& p, const Vector3d&) { return (p.z() - low) / (high - low); },
+      [=](const ContactPoint& at) -> Vector3d {
+        const double z = low + at.t * (high - low);
+        const double scale = radius_at(z) / std::hypot(at.normal.x(), at.normal.y());
+        return {scale * at.normal.x(), scale * at.normal.y(), z};
+      }};
+  return region_of(quadric, bounds, region_loops(quadric, bounds), parametrization);
+}
+
+EnvelopeChain cylinder_between(double radius, const Interval& heights) {
   return canal_surface(Curve::bezier({{0, 0, heights.low}, {0, 0, heights.high}}),
                        Law::constant(radius));
+}
+
+EnvelopeChain cylinder_of_revolution(double radius, const QuadricBounds& given) {
+  require_heights(given);
+  const double square = 1 / (radius * radius);
+  const OrientedQuadric quadric =
+      oriented_about_axis({{square, square, 0}, 0, -1, false}, radius, given);
+  const QuadricBounds bounds = effective_bounds(given, quadric.traced);
+  if (is_whole_ring(bounds)) return cylinder_between(radius, given.box[2]);
+  const Interval heights = beyond_heights(given.box[2], false);
+  EnvelopeChain chain = cylinder_between(radius, heights);
+  chain.extent = region_about_axis(quadric, bounds, heights, [=](double) { return radius; });
+  return chain;
 }
 
 /// Spheres on the axis that touch the cone at the heights of the region.
@@ -508,27 +539,65 @@ LocalForms cone_forms(const Rational& a, const Rational& c, const Interval& heig
           false};
 }
 
-EnvelopeChain cone_of_revolution(const Rational& a, const Rational& c, const Interval& heights) {
-  if (heights.low <= 0 && heights.high >= 0) {
+EnvelopeChain cone_of_revolution(const HalfAxes& half, const QuadricBounds& given) {
+  require_heights(given);
+  if (given.box[2].low <= 0 && given.box[2].high >= 0) {
     throw GeometryError(ErrorCode::kRegionUnsupported,
                         "The region holds the apex of the cone, where it has no normal. Give "
                         "heights on one side of z = 0.");
   }
+  const double a = half[0].to_double(), c = half[2].to_double();
+  const OrientedQuadric quadric =
+      oriented_about_axis({{1 / (a * a), 1 / (a * a), -1 / (c * c)}, 0, 0, false},
+                          farthest(given.box[2]) * a / c, given);
+  const QuadricBounds bounds = effective_bounds(given, quadric.traced);
+  const bool is_whole = is_whole_ring(bounds);
+  const Interval heights = is_whole ? given.box[2] : beyond_heights(given.box[2], true);
+  const auto radius_at = [=](double z) { return std::abs(z) * a / c; };
+  Extent extent = WholeCircle{};
+  if (!is_whole) extent = region_about_axis(quadric, bounds, heights, radius_at);
+  std::vector<RationalPatch> patches;
+  for (const RationalPatch& patch : cone_patches(half, given.box[2])) {
+    patches.push_back(bounded(patch, bounds));
+  }
   EnvelopeChain chain = chain_of(
-      Envelope([=](long precision) { return cone_forms(a, c, heights, precision); }, "nothing"),
-      WholeCircle{}, cone_patches({a, a, c}, heights));
+      Envelope([=](long precision) { return cone_forms(half[0], half[2], heights, precision); },
+               "nothing"),
+      std::move(extent), std::move(patches));
+  if (!is_whole) return chain;
   chain.links.front().begin = heights.low;
   chain.links.front().end = heights.high;
   return chain;
 }
 
+/// The widths of a parabolic cylinder at which its heights are those of the bounds.
+Interval within_heights(const Interval& x, const Interval& z, const HalfAxes& half) {
+  const auto width_at = [&](double height) {
+    return half[0].to_double() * std::sqrt(std::max(0.0, height) / half[2].to_double());
+  };
+  if (z.high <= 0) throw bounds_miss();
+  const Interval below = z.high < HUGE_VAL ? common(x, about_zero(width_at(z.high))) : x;
+  if (z.low <= 0) return below;
+  const double least = width_at(z.low);
+  if (below.low > -least) return common(below, {least, HUGE_VAL});
+  if (below.high < least) return common(below, {-HUGE_VAL, -least});
+  throw GeometryError(ErrorCode::kRegionUnsupported,
+                      "The least height leaves two parts of the parabolic cylinder. Bound x to one "
+                      "of them.");
+}
+
 /// Between the parabolas at both ends of y; from the far one to the near one the normal is below.
 EnvelopeChain parabolic_cylinder(const HalfAxes& half, const QuadricBounds& bounds) {
-  require_bounded(bounds, false);
-  const Interval &x = bounds.box[0], &z = bounds.box[2];
-  if (bounds.angle || std::isfinite(z.low) || std::isfinite(z.high)) {
+  if (bounds.angle) {
     throw GeometryError(ErrorCode::kRegionUnsupported,
-                        "Of a parabolic cylinder bounds of x and y are supported.");
+                        "A parabolic cylinder has no sectors. Bound x and y, or the height z and "
+                        "y.");
+  }
+  const Interval x = within_heights(bounds.box[0], bounds.box[2], half);
+  if (!x.is_bounded() || !bounds.box[1].is_bounded()) {
+    throw GeometryError(ErrorCode::kRegionUnbounded,
+                        "The surface is infinite. Give bounds of y, and of x or the largest height "
+                        "z.");
   }
   const RationalPolynomial across = linear(Rational::exactly(x.low), Rational::exactly(x.high));
   const auto parabola = [&](double y) -> SphereCurve {
@@ -590,13 +659,11 @@ EnvelopeChain quadric(QuadricKind kind, const std::array<double, 3>& half_axes,
     case QuadricKind::kOneSheetHyperboloid:
       return one_sheet_hyperboloid(half, a, bounds);
     case QuadricKind::kEllipticCylinder:
-      require_heights_only(bounds);
       require_revolution(half_axes, "cylinder");
-      return cylinder_of_revolution(half_axes[0], bounds.box[2]);
+      return cylinder_of_revolution(half_axes[0], bounds);
     case QuadricKind::kEllipticCone:
-      require_heights_only(bounds);
       require_revolution(half_axes, "cone");
-      return cone_of_revolution(half[0], half[2], bounds.box[2]);
+      return cone_of_revolution(half, bounds);
     case QuadricKind::kParabolicCylinder:
       return parabolic_cylinder(half, bounds);
   }
