@@ -46,7 +46,7 @@ struct QuadricInput {
   std::array<double, 3> half;
   QuadricBounds bounds;
   double distance;  ///< of an offset
-  bool touches;     ///< some bound passes through a vertex or an umbilic, or nearly
+  Box extent;       ///< from which the bounds are taken
 };
 
 inline std::ostream& operator<<(std::ostream& out, const QuadricInput& input) {
@@ -71,13 +71,13 @@ class RandomQuadric {
   explicit RandomQuadric(std::uint64_t seed) : generator_(seed) {}
 
   QuadricInput input() {
-    QuadricInput input{kind(), {}, {}, 0, false};
+    QuadricInput input{kind(), {}, {}, 0, {}};
     input.half = half_axes(input.kind);
     choose_extent(input);
     choose_bounds(input);
     const double size = *std::min_element(input.half.begin(), input.half.end());
     input.distance = one_in(3) ? noise(2) * size : noise(0.25) * size;
-    input.touches = touches_;
+    for (std::size_t i = 0; i < 3; ++i) input.extent[i] = {low_[i], high_[i]};
     return rescaled(input);
   }
 
@@ -209,7 +209,9 @@ class RandomQuadric {
       const bool needed = i == 2 ? has_height || (is_bowl && !is_box) : has_width || is_box;
       if (needed || one_in(4)) input.bounds.box[i] = interval(i, needed);
     }
-    if (one_in(3)) input.bounds.angle = sector();
+    // Parabolic cylinders have no sectors.
+    const bool has_sector = input.kind != QuadricKind::kParabolicCylinder || one_in(4);
+    if (has_sector && one_in(3)) input.bounds.angle = sector();
   }
 
   Interval interval(std::size_t axis, bool needs_both) {
@@ -234,14 +236,12 @@ class RandomQuadric {
       case 0:
         return std::max(low, std::min(high, 0.0));
       case 1: {
-        touches_ = true;
         if (special_.empty()) return high;
         const double at =
             special_[static_cast<std::size_t>(below(static_cast<int>(special_.size())))][axis];
         return one_in(2) ? at : -at;
       }
       case 2: {
-        touches_ = true;
         static const std::array<double, 4> kBeside = {0, 1e-15, 1e-9, 1e-6};
         const double beside = kBeside[static_cast<std::size_t>(below(4))];
         return (one_in(2) ? low : high) * (one_in(2) ? 1 - beside : 1 + beside);
@@ -257,7 +257,6 @@ class RandomQuadric {
       case 0:
         return {low, low + between(1, 8) * M_PI / 4};
       case 1:
-        touches_ = true;
         return {low, low + 2 * M_PI * (one_in(2) ? 1 : 1 - 1e-9)};
       default:
         return {low, low + between(16, 390) / 64.0};
@@ -271,6 +270,10 @@ class RandomQuadric {
       interval.low *= size;
       interval.high *= size;
     }
+    for (Interval& interval : input.extent) {
+      interval.low *= size;
+      interval.high *= size;
+    }
     input.distance *= size;
     return input;
   }
@@ -278,7 +281,6 @@ class RandomQuadric {
   std::mt19937_64 generator_;
   std::array<double, 3> low_, high_;
   std::vector<std::array<double, 3>> special_;
-  bool touches_ = false;
 };
 
 }  // namespace pn::test
