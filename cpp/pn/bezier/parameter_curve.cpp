@@ -18,7 +18,7 @@ using Points = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
 constexpr int kDegree = 9;
 /// Below this part of the path the tenth power gains nothing more in doubles.
-constexpr double kLeastSpan = 1.0 / 1024;
+constexpr double kLeastSpan = 1.0 / 4096;
 
 ParameterCurve frame(const std::vector<double>& knots) {
   ParameterCurve curve;

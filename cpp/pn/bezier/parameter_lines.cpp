@@ -383,7 +383,8 @@ class Planner {
     for (const RegionAttempt& attempt : kRegionAttempts) {
       plan(attempt);
       do {
-        if (is_region_covered(circles.boundary)) return;
+        // Around whole circles lines are constant, and there is nothing else to try.
+        if (circles.boundary.empty() || is_region_covered(circles.boundary)) return;
       } while (halve_bad_segments(attempt.halvings));
     }
     throw GeometryError(ErrorCode::kWeightsNotPositive,

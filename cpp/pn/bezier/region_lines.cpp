@@ -65,7 +65,7 @@ class AngleWalk {
 
  private:
   void walk(std::vector<Step>& steps, double to) const {
-    constexpr double kLargestTurn = 0.2, kShortest = 1e-10;
+    constexpr double kLargestTurn = 0.05, kShortest = 1e-10;
     const Step from = steps.back();
     Step next = at(to);
     const double turn = std::remainder(next.angle - from.angle, M_PI);
@@ -267,6 +267,9 @@ std::vector<BoundaryPlace> upside_down(std::vector<BoundaryPlace> places) {
   return places;
 }
 
+/// Places of the boundary lie no farther apart, as a part of the extent in t.
+constexpr double kBeforeSplit = 0.02;
+
 GeometryError too_far() {
   return {ErrorCode::kRegionUnsupported,
           "The region reaches too far beyond the umbilics of the hyperboloid, to where its points "
@@ -306,7 +309,10 @@ RegionCircles region_circles(const BoundedRegion& region,
   circles.is_closed = surrounds || (!has_gap && whole == circles.high);
   if (circles.is_closed && whole == circles.high) return circles;
   if (circles.is_closed) circles.split = first_with_wide_gap(everywhere, circles.low, whole);
-  const auto places = from(everywhere, circles.split.value_or(0));
+  if (circles.split == circles.low) throw too_far();
+  // The boundary crosses the split between two places: that before it belongs to the arcs, too.
+  const double before_split = kBeforeSplit * (circles.high - circles.low);
+  const auto places = from(everywhere, circles.split.value_or(0) - before_split);
   const Hull gap = widest_gap(places);
   if (gap.width() < kLeastArc) throw too_far();
   circles.boundary = beyond_gap(places, gap);
