@@ -11,33 +11,16 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// The unit sphere and its circles.
-QuadricSections sphere() {
-  return {[](std::size_t axis, double value) -> std::optional<BoundaryConic> {
-            if (std::abs(value) >= 1) return std::nullopt;
-            const double r = std::sqrt(1 - value * value);
-            return BoundaryConic{
-                [=](double t) {
-                  Vector3d p;
-                  p(static_cast<Eigen::Index>(axis)) = value;
-                  p(static_cast<Eigen::Index>((axis + 1) % 3)) = r * std::cos(2 * M_PI * t);
-                  p(static_cast<Eigen::Index>((axis + 2) % 3)) = r * std::sin(2 * M_PI * t);
-                  return p;
-                },
-                true};
-          },
-          [](double angle) -> BoundaryConic {
-            return {[=](double t) {
-                      const double s = std::sin(M_PI * t);
-                      return Vector3d(s * std::cos(angle), s * std::sin(angle), std::cos(M_PI * t));
-                    },
-                    false};
-          }};
+/// The unit sphere.
+TracedQuadric sphere(const std::vector<Vector3d>& stops = {}) {
+  const Box unit = {{{-1, 1}, {-1, 1}, {-1, 1}}};
+  return {{Vector3d::Ones(), 0, -1, false}, unit, unit, stops};
 }
 
 std::vector<BoundaryLoop> loops_of(const QuadricBounds& bounds,
                                    const std::vector<Vector3d>& stops = {}) {
-  return boundary_loops(bounds, sphere(), 1, stops);
+  const TracedQuadric quadric = sphere(stops);
+  return boundary_loops(effective_bounds(bounds, quadric), quadric);
 }
 
 QuadricBounds box(const Interval& x, const Interval& y, const Interval& z) {

@@ -267,8 +267,9 @@ std::vector<BoundaryPlace> upside_down(std::vector<BoundaryPlace> places) {
   return places;
 }
 
-/// Places of the boundary lie no farther apart, as a part of the extent in t.
-constexpr double kBeforeSplit = 0.02;
+/// Places of the boundary lie no farther apart beside the split, as a part of its distance from
+/// where the region begins.
+constexpr double kBeforeSplit = 0.03;
 
 GeometryError too_far() {
   return {ErrorCode::kRegionUnsupported,
@@ -300,9 +301,7 @@ RegionCircles region_circles(const BoundedRegion& region,
   RegionCircles circles;
   circles.low = region.has_first_pole ? 0 : std::max(t.low, kAtPole);
   circles.high = region.has_last_pole ? 1 : std::min(t.high, 1 - kAtPole);
-  // A closed surface has no points at infinity.
-  const double whole =
-      everywhere.empty() ? circles.high : last_whole_circle(gamma, circles.low, circles.high);
+  const double whole = last_whole_circle(gamma, circles.low, circles.high);
   const bool surrounds = region.has_first_pole || region.has_last_pole ||
                          std::any_of(loops.begin(), loops.end(), winds);
   const bool has_gap = widest_gap(everywhere).width() > kWideGap;
@@ -311,8 +310,8 @@ RegionCircles region_circles(const BoundedRegion& region,
   if (circles.is_closed) circles.split = first_with_wide_gap(everywhere, circles.low, whole);
   if (circles.split == circles.low) throw too_far();
   // The boundary crosses the split between two places: that before it belongs to the arcs, too.
-  const double before_split = kBeforeSplit * (circles.high - circles.low);
-  const auto places = from(everywhere, circles.split.value_or(0) - before_split);
+  const double start = circles.split.value_or(circles.low);
+  const auto places = from(everywhere, start - kBeforeSplit * (start - circles.low));
   const Hull gap = widest_gap(places);
   if (gap.width() < kLeastArc) throw too_far();
   circles.boundary = beyond_gap(places, gap);
