@@ -2,8 +2,8 @@
 """The certificate of exact surfaces: what is proved of them, and what was measured besides.
 
 A certificate is plain data, so that it can be kept as JSON. Lengths are millimetres; None stands
-for an infinite limit. What is proved comes from the kernel, what is measured from the doubles of the
-shape in the document, by routes that share nothing with the construction.
+for an infinite limit. What is proved comes from the kernel, what is measured from the doubles of
+the shape in the document, by routes that share nothing with the construction.
 """
 
 import datetime

@@ -194,7 +194,7 @@ def _of_block(family, points, distance):
 
 
 def _parameters(breaks):
-    """For each span its parameters (s, k), from before its start to beyond its end, and one inside."""
+    """Parameters (s, k) of each span, from before its start to beyond its end, and one inside."""
     first, width = breaks[:-1, None], np.diff(breaks)[:, None]
     inner = (np.arange(_PARAMETERS_OF_SPAN) + 0.5) / _PARAMETERS_OF_SPAN
     parts = np.concatenate([[-_BEYOND_END], inner, [1 + _BEYOND_END]])
