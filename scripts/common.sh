@@ -3,7 +3,6 @@
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 build="$root/build"
 python=/usr/bin/python3
-export PYTHONPATH="$build/python:$root/workbench${PYTHONPATH:+:$PYTHONPATH}"
 export PYTHONDONTWRITEBYTECODE=1
 
 # Configures a preset of CMakePresets.json in folder $2, once, and builds the targets that follow.

@@ -79,32 +79,32 @@ TopoDS_Wire wire_of(const Handle(Geom_Curve) & curve) {
   return BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(curve));
 }
 
-TopoDS_Shape swept(BRepOffsetAPI_MakePipeShell& sweep, Tolerance tolerance) {
+MadeShape swept(BRepOffsetAPI_MakePipeShell& sweep, Tolerance tolerance) {
   sweep.SetMode(/*IsFrenet=*/false);
   sweep.SetTolerance(tolerance.millimetres, tolerance.millimetres, kAngularTolerance);
   sweep.SetMaxDegree(kLargestDegree);
   sweep.SetMaxSegments(kMostSegments);
   sweep.Build();
-  return sweep.Shape();
+  return {sweep.Shape(), sweep.ErrorOnSurface()};
 }
 
-TopoDS_Shape filled(GeomFill_Pipe& pipe, Tolerance tolerance) {
+MadeShape filled(GeomFill_Pipe& pipe, Tolerance tolerance) {
   pipe.Perform(tolerance.millimetres, /*Polynomial=*/false, GeomAbs_C1, kLargestDegree,
                kMostSegments);
   if (!pipe.IsDone()) throw Standard_Failure("GeomFill_Pipe made no surface");
-  return BRepBuilderAPI_MakeFace(pipe.Surface(), Precision::Confusion());
+  return {BRepBuilderAPI_MakeFace(pipe.Surface(), Precision::Confusion()), pipe.ErrorOnSurf()};
 }
 
 }  // namespace
 
-TopoDS_Shape swept_circle(const BezierCanal& canal, Tolerance tolerance) {
+MadeShape swept_circle(const BezierCanal& canal, Tolerance tolerance) {
   const Handle(Geom_BezierCurve) spine = spine_of(canal);
   BRepOffsetAPI_MakePipeShell sweep(wire_of(spine));
   sweep.Add(wire_of(normal_circle(spine, 0, canal.radius.front())));
   return swept(sweep, tolerance);
 }
 
-TopoDS_Shape swept_circle_with_law(const BezierCanal& canal, Tolerance tolerance) {
+MadeShape swept_circle_with_law(const BezierCanal& canal, Tolerance tolerance) {
   const Handle(Geom_BezierCurve) spine = spine_of(canal);
   BRepOffsetAPI_MakePipeShell sweep(wire_of(spine));
   const Handle(Law_Function) law = new Law_BSpFunc(law_of(canal), 0, 1);
@@ -112,12 +112,12 @@ TopoDS_Shape swept_circle_with_law(const BezierCanal& canal, Tolerance tolerance
   return swept(sweep, tolerance);
 }
 
-TopoDS_Shape filled_pipe(const BezierCanal& canal, Tolerance tolerance) {
+MadeShape filled_pipe(const BezierCanal& canal, Tolerance tolerance) {
   GeomFill_Pipe pipe(spine_of(canal), canal.radius.front());
   return filled(pipe, tolerance);
 }
 
-TopoDS_Shape filled_pipe_through_circles(const BezierCanal& canal, Tolerance tolerance) {
+MadeShape filled_pipe_through_circles(const BezierCanal& canal, Tolerance tolerance) {
   constexpr int kCircles = 21;
   const Handle(Geom_BezierCurve) spine = spine_of(canal);
   const Handle(Law_BSpline) law = law_of(canal);
@@ -130,7 +130,7 @@ TopoDS_Shape filled_pipe_through_circles(const BezierCanal& canal, Tolerance tol
   return filled(pipe, tolerance);
 }
 
-TopoDS_Shape loft_through_characteristic_circles(const BezierCanal& canal, int circles) {
+MadeShape loft_through_characteristic_circles(const BezierCanal& canal, int circles) {
   const Handle(Geom_BezierCurve) spine = spine_of(canal);
   const Handle(Law_BSpline) law = law_of(canal);
   BRepOffsetAPI_ThruSections loft(/*isSolid=*/false, /*ruled=*/false);
@@ -140,7 +140,7 @@ TopoDS_Shape loft_through_characteristic_circles(const BezierCanal& canal, int c
         wire_of(characteristic_circle(spine, law, static_cast<double>(i) / (circles - 1))));
   }
   loft.Build();
-  return loft.Shape();
+  return {loft.Shape()};
 }
 
 }  // namespace pn::bench

@@ -16,7 +16,7 @@ using OffsetBase = std::variant<QuadricCase, BezierRuled>;
 
 struct OffsetCase {
   std::string name;   ///< "Q1p"
-  std::string shape;  ///< in words
+  std::string shape;  ///< and its offset in words
   OffsetBase base;
   double distance;  ///< [mm], in the orientation of the kernel
 };

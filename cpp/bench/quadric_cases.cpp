@@ -6,8 +6,9 @@ namespace pn::bench {
 QuadricCase ellipsoid() { return {QuadricKind::kEllipsoid, {3, 2, 1}, {}}; }
 
 QuadricCase paraboloid() {
-  QuadricCase quadric{QuadricKind::kEllipticParaboloid, {3, 2, 1}, {}};
-  quadric.bounds.box[0] = quadric.bounds.box[1] = {-1.5, 1.5};
+  QuadricCase quadric{QuadricKind::kEllipticParaboloid, {2, 1, 0.5}, {}};
+  quadric.bounds.box[0] = {-2, 2};
+  quadric.bounds.box[1] = {-1, 1};
   return quadric;
 }
 
@@ -21,7 +22,7 @@ QuadricCase two_sheet_hyperboloid() {
 }
 
 QuadricCase one_sheet_hyperboloid() {
-  QuadricCase quadric{QuadricKind::kOneSheetHyperboloid, {2, 1.5, 2}, {}};
+  QuadricCase quadric{QuadricKind::kOneSheetHyperboloid, {2, 1, 2}, {}};
   quadric.bounds.box[2] = {-2, 2};
   return quadric;
 }

@@ -16,17 +16,17 @@ struct QuadricCase {
 /// Cases Q1p and Q1m: all of the ellipsoid with the half-axes 3, 2, 1.
 QuadricCase ellipsoid();
 
-/// Case Q2: z = x^2/9 + y^2/4 over the square |x|, |y| <= 1.5. Its least radius of curvature is 2.
+/// Case Q2: z = x^2/8 + y^2/2 over |x| <= 2, |y| <= 1. Its least radius of curvature is 1.
 QuadricCase paraboloid();
 
 /// The patch of Q3 in stereographic parameters reaches so far.
 inline constexpr double kStereographicReach = 0.4;
 
-/// Case Q3: the sheet z > 0 of z^2/4 - x^2/9 - y^2 = 1, cut by planes x, y = const that pass through
-/// the middles of the sides of a square stereographic patch.
+/// Case Q3: the sheet z > 0 of z^2/4 - x^2/9 - y^2 = 1, cut by planes x, y = const that pass
+/// through the middles of the sides of a square stereographic patch.
 QuadricCase two_sheet_hyperboloid();
 
-/// Case Q4: x^2/4 + 4 y^2/9 - z^2/4 = 1 from z = -2 to z = 2, all the way around.
+/// Case Q4: x^2/4 + y^2 - z^2/4 = 1 from z = -2 to z = 2, all the way around.
 QuadricCase one_sheet_hyperboloid();
 
 EnvelopeChain chain_of(const QuadricCase& quadric);

@@ -32,6 +32,7 @@ BENCHMARK(many_ruled_spans)
     ->ArgNames({"spans", "threads"})
     ->ArgsProduct({{10, 100, 1000}, {1, 2}})
     ->UseRealTime()
+    ->Repetitions(3)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

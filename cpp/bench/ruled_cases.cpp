@@ -8,9 +8,7 @@
 
 namespace pn::bench {
 
-BezierRuled bilinear_patch() {
-  return {{{0, 0, 0}, {10, 0, 3}}, {{0, 10, 3}, {10, 10, 0}}};
-}
+BezierRuled bilinear_patch() { return {{{0, 0, 0}, {10, 0, 0}}, {{0, 10, 0}, {10, 10, 8}}}; }
 
 BezierRuled cubic_patch() {
   return {{{0, 0, 0}, {4, -1, 2}, {8, 1, -1}, {12, 0, 1}},

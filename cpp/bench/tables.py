@@ -8,10 +8,21 @@ MILLISECONDS = {"ns": 1e-6, "us": 1e-3, "ms": 1.0, "s": 1e3}
 
 
 def medians(results):
-    """The median of every benchmark, in the order of the source: name -> its entry."""
-    entries = [e for e in results["benchmarks"] if e.get("aggregate_name") == "median"]
-    entries.sort(key=lambda e: (e["family_index"], e["per_family_instance_index"]))
-    return {entry["run_name"]: entry for entry in entries}
+    """The median of every benchmark, in the order of the source: name -> its entry. One that throws
+    has no median, but an entry with its error."""
+    entries = sorted(
+        results["benchmarks"],
+        key=lambda e: (e["family_index"], e["per_family_instance_index"]),
+    )
+    return {
+        entry["run_name"]: entry
+        for entry in entries
+        if entry.get("aggregate_name") == "median" or failed(entry)
+    }
+
+
+def failed(entry):
+    return entry.get("error_occurred", False)
 
 
 def milliseconds(entry):
@@ -23,6 +34,15 @@ def arguments(name):
     """'spring/spans:100/threads:2' -> {'spans': 100, 'threads': 2}."""
     pairs = (part.split(":") for part in name.split("/") if ":" in part)
     return {key: int(value) for key, value in pairs}
+
+
+def below(entries, prefix):
+    """'offset_step/Q1p' -> {'chain': its entry, ...}."""
+    return {
+        name.removeprefix(f"{prefix}/"): entry
+        for name, entry in entries.items()
+        if name.startswith(f"{prefix}/")
+    }
 
 
 def print_table(title, header, rows):
@@ -49,16 +69,16 @@ def one_span(entries):
         [step.replace("_", " "), *(at.get(degree, "-") for degree in degrees)]
         for step, at in by_step.items()
     ]
-    print_table("One span, ms", ["", *(f"degree {degree}" for degree in degrees)], rows)
+    title = "Canal surface, one span, ms"
+    print_table(title, ["", *(f"degree {degree}" for degree in degrees)], rows)
 
 
-def many_spans(entries):
+def many_spans(entries, family, title):
     """Times on one and two threads and memory, by the number of spans."""
     runs = {}
-    for name, entry in entries.items():
-        if name.startswith("many_spans/"):
-            given = arguments(name)
-            runs.setdefault(given["spans"], {})[given["threads"]] = entry
+    for name, entry in below(entries, family).items():
+        given = arguments(name)
+        runs.setdefault(given["spans"], {})[given["threads"]] = entry
     rows = []
     for spans, on in runs.items():
         one, two = milliseconds(on[1]), milliseconds(on[2])
@@ -75,46 +95,117 @@ def many_spans(entries):
             ]
         )
     header = ["spans", "1 thread, ms", "2 threads, ms", "speedup", "us/span", "kept kB/span"]
-    print_table("Cubic C2 B-spline", [*header, "peak kB/span", "poles/span"], rows)
+    print_table(title, [*header, "peak kB/span", "poles/span"], rows)
 
 
-def side_by_side(entries, case, title):
-    """One case, ours and OpenCASCADE's; ratios are theirs over ours."""
-    runs = {name: entry for name, entry in entries.items() if name.startswith(f"{case}/")}
-    if f"{case}/exact" not in runs:
-        return
-    exact = runs[f"{case}/exact"]
+def cell(entry, form, value):
+    """A number of an entry, if there is one that did not fail."""
+    if entry is None:
+        return "-"
+    return "failed" if failed(entry) else form.format(value(entry))
+
+
+def offset_steps(entries):
+    """Times of the steps to an offset, a row for each case."""
+    steps = ["chain", "numbers_to_whole_faces", "another_distance", "edges", "limits"]
     rows = []
-    for entry in runs.values():
-
-        def ratio(key):
-            return f"({entry[key] / exact[key]:.3g}x)"
-
+    for case in cases(entries, "offset_step"):
+        runs = below(entries, f"offset_step/{case}")
+        whole, edges = runs.get("numbers_to_whole_faces"), runs.get("edges")
         rows.append(
             [
-                entry["label"],
-                f"{milliseconds(entry):.2f}",
-                f"({milliseconds(entry) / milliseconds(exact):.3g}x)",
-                f"{entry['degree_along']:.0f} x {entry['degree_around']:.0f}",
-                f"{entry['poles']:.0f}",
-                ratio("poles"),
-                f"{entry['deviation']:.1e}",
-                ratio("deviation"),
-                f"{entry['step_bytes'] / 1000:.1f}",
-                ratio("step_bytes"),
+                case,
+                *(cell(runs.get(step), "{:.3f}", milliseconds) for step in steps),
+                cell(whole, "{:.0f}", lambda entry: entry["poles"]),
+                cell(whole, "{:.1e}", lambda entry: entry["stated_deviation"]),
+                cell(edges, "{:.1e}", lambda entry: entry["trim_deviation"]),
             ]
         )
-    header = ["", "ms", "", "degree", "poles", "", "deviation, mm", "", "STEP, kB", ""]
-    print_table(title, header, rows)
+    names = [step.replace("_", " ") for step in steps]
+    header = ["", *names, "poles", "proven, mm", "edges off, mm"]
+    print_table("Offsets by steps, ms", header, rows)
+
+
+def cases(entries, family):
+    """'offset_step/Q1p/chain', ... -> ['Q1p', ...]."""
+    return list(dict.fromkeys(name.split("/")[0] for name in below(entries, family)))
+
+
+SIDE_BY_SIDE = ["", "ms", "", "degree", "poles", "", "deviation, mm", "stated, mm", "STEP, kB"]
+
+
+def ratio(entry, exact, value):
+    """Theirs over ours, where both were made."""
+    if exact is None or failed(exact) or entry is exact or value(entry) == 0:
+        return ""
+    return f"({value(entry) / value(exact):.3g}x)"
+
+
+def read_back(entry):
+    if entry["read_faces"] == 0:
+        return "LOST"
+    return f"{entry['read_faces']:.0f} of {entry['faces']:.0f}, {entry['read_deviation']:.1e}"
+
+
+def side_by_side_row(entry, exact):
+    """One way to a shape; what only a shape has is missing for bare poles."""
+    if failed(entry):
+        row = [entry["label"], "failed", *[""] * (len(SIDE_BY_SIDE) - 2)]
+        return [*row, entry["error_message"]]
+
+    def number(key, form, scale=1):
+        return format(entry[key] / scale, form) if key in entry else "-"
+
+    has_poles = entry["poles"] > 0
+    degree = f"{entry['degree_along']:.0f} x {entry['degree_around']:.0f}"
+    return [
+        entry["label"],
+        f"{milliseconds(entry):.2f}",
+        ratio(entry, exact, milliseconds),
+        degree if has_poles else "-",
+        number("poles", ".0f") if has_poles else "none",
+        ratio(entry, exact, lambda of: of["poles"]),
+        number("deviation", ".1e"),
+        number("stated_deviation", ".1e"),
+        number("step_bytes", ".1f", 1000),
+        read_back(entry) if "read_faces" in entry else "-",
+    ]
+
+
+def side_by_side(runs, title):
+    """One case, ours and OpenCASCADE's; ratios are theirs over ours. Stated is the deviation that
+    the maker gives: ours proven, OpenCASCADE's estimated."""
+    exact = runs.get("exact")
+    rows = [side_by_side_row(entry, exact) for entry in runs.values()]
+    print_table(title, [*SIDE_BY_SIDE, "faces read back, mm"], rows)
+
+
+def offset_side_by_side(entries, case):
+    """The same for an offset; above the shapes, the poles alone."""
+    whole = entries.get(f"offset_step/{case}/numbers_to_whole_faces")
+    shape = f": {whole['label']}" if whole else ""
+    poles = {"poles": {**whole, "label": "PN Surfaces, poles only"}} if whole else {}
+    runs = {**poles, **below(entries, f"offset_case/{case}")}
+    side_by_side(runs, f"Case {case}{shape}")
 
 
 def main(path):
     with open(path, encoding="utf-8") as file:
-        entries = medians(json.load(file))
+        results = json.load(file)
+    context = results["context"]
+    print(
+        f"{context['num_cpus']} processors of {context['mhz_per_cpu']} MHz, load "
+        f"{context['load_avg'][0]:.1f} at the start; medians of wall time."
+    )
+    entries = medians(results)
     one_span(entries)
-    many_spans(entries)
-    side_by_side(entries, "case_c1", "Case C1: constant radius along a cubic")
-    side_by_side(entries, "case_c2", "Case C2: cubic radius along a cubic")
+    many_spans(entries, "many_spans", "Canal surface along a cubic C2 B-spline")
+    many_spans(entries, "many_ruled_spans", "Offset of a ruled surface between cubic C2 B-splines")
+    offset_steps(entries)
+    side_by_side(below(entries, "case_c1"), "Case C1: constant radius along a cubic")
+    side_by_side(below(entries, "case_c2"), "Case C2: cubic radius along a cubic")
+    for case in cases(entries, "offset_case"):
+        offset_side_by_side(entries, case)
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "pn/algebra/bernstein.hpp"
+#include "pn/algebra/cancellation.hpp"
 #include "pn/bezier/pn_surface.hpp"
 #include "pn/geometry_error.hpp"
 #include "pn/shapes/canal_surface.hpp"
@@ -170,6 +171,26 @@ void define_error(py::module_& module) {
       PyErr_SetObject(type, instance.ptr());
     }
   });
+}
+
+void define_cancellation(py::module_& module) {
+  py::register_exception<pn::Cancelled>(module, "Cancelled").doc() =
+      "A computation was asked to stop.";
+  py::class_<pn::Cancellation>(module, "Cancellation",
+                               "One request to stop a computation, from any thread.")
+      .def(py::init<>())
+      .def("request", &pn::Cancellation::request, "Has the work stop soon.")
+      .def_property_readonly("is_requested", &pn::Cancellation::is_requested)
+      .def(
+          "run",
+          [](pn::Cancellation& cancellation, const py::function& work) {
+            py::object result;
+            cancellation.run([&] { result = work(); });
+            return result;
+          },
+          py::arg("work"),
+          "The result of work(), in this thread. Raises Cancelled after a request: whatever the "
+          "kernel is doing in work() then ends within milliseconds.");
 }
 
 void define_inputs(py::module_& module) {
@@ -410,6 +431,7 @@ void define_surface(py::module_& module) {
 PYBIND11_MODULE(pnkernel, module) {
   module.doc() = "Exact offset surfaces with rational unit normals. Millimetres, NumPy arrays.";
   define_error(module);
+  define_cancellation(module);
   define_inputs(module);
   define_outputs(module);
   define_surface(module);

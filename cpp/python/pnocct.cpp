@@ -4,6 +4,8 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
 
 #include "pn/occt/brep.hpp"
 #include "pn/occt/bspline_geometry.hpp"
@@ -93,12 +95,27 @@ std::vector<pn::BSplineSurface> surfaces_from(const py::iterable& faces) {
   return surfaces;
 }
 
-TopoDS_Shell shell_of(const py::iterable& faces) { return pn::make_shell(surfaces_from(faces)); }
+// A single shape as it is, several as a compound.
+template <typename Shape>
+TopoDS_Shape together(const std::vector<Shape>& shapes) {
+  if (shapes.size() == 1) return shapes.front();
+  const BRep_Builder builder;
+  TopoDS_Compound compound;
+  builder.MakeCompound(compound);
+  for (const Shape& shape : shapes) builder.Add(compound, shape);
+  return compound;
+}
 
-std::string shell(const py::iterable& faces) { return pn::to_brep(shell_of(faces)); }
+std::string shell(const py::iterable& faces) {
+  return pn::to_brep(together(pn::make_shells(surfaces_from(faces))));
+}
 
 std::string capped_solid(const py::iterable& faces) {
-  return pn::to_brep(pn::make_capped_solid(shell_of(faces)));
+  std::vector<TopoDS_Solid> solids;
+  for (const TopoDS_Shell& part : pn::make_shells(surfaces_from(faces))) {
+    solids.push_back(pn::make_capped_solid(part));
+  }
+  return pn::to_brep(together(solids));
 }
 
 std::string thick_solid(const py::iterable& inner_faces, const py::iterable& outer_faces) {
@@ -222,22 +239,24 @@ PYBIND11_MODULE(pnocct, m) {
       "A file does not hold what was written: a sentence on each difference.";
   py::register_local_exception_translator(translate_file_error);
 
-  m.def(
-      "shell", &shell, "faces"_a,
-      "Return the shell of the faces.\n\n"
-      "Sides of faces that have the same poles, bit for bit and in either direction, are one\n"
-      "edge, and so are pieces of such sides between the same points. Edges along trims inside\n"
-      "a surface lie within 1e-9 mm of it. Raises ValueError when the faces do not hang together\n"
-      "or a loop of trims is not closed.");
+  m.def("shell", &shell, "faces"_a,
+        "Return the shell of the faces, or a compound of a shell for each part that hangs "
+        "together.\n\n"
+        "Sides of faces that have the same poles, bit for bit and in either direction, are one\n"
+        "edge, and so are pieces of such sides between the same points. Edges along trims inside\n"
+        "a surface lie within 1e-9 mm of it. Raises ValueError when there is no face or a loop of\n"
+        "trims is not closed.");
   m.def("capped_solid", &capped_solid, "faces"_a,
         "Return the solid inside the shell of the faces, its open ends closed by planar faces.\n\n"
-        "Raises ValueError when an open end is not planar or not closed.");
+        "Faces of several parts give a compound of solids. Raises ValueError when an open end is\n"
+        "not planar or not closed.");
   m.def("thick_solid", &thick_solid, "inner_faces"_a, "outer_faces"_a,
-        "Return the solid between two offsets of one surface.\n\n"
+        "Return the solid between two offsets of one surface, or two pipes around one spine.\n\n"
         "Closed shells, the first inside the second, make a solid with a void; open ones, without\n"
         "trims, are joined by ruled walls along their free sides. That they do not touch is not\n"
         "examined. Raises ValueError when only one shell is closed, when the first does not lie\n"
-        "inside the second, and when open shells differ in structure or are trimmed.");
+        "inside the second, when the free sides of open shells do not correspond, and when open\n"
+        "shells are trimmed.");
   m.def("check", &check, "brep"_a, "boolean"_a = false,
         "Return the faults of a shape as sentences; none when it is valid.\n\n"
         "With boolean=True a valid shape is also examined as an argument of Boolean operations,\n"

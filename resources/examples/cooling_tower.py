@@ -5,7 +5,7 @@ Run it as a macro in FreeCAD, or import it and call make_cooling_tower().
 """
 
 import FreeCAD
-from display import paint, show_only
+from display import cut_open, paint_wall, show_only
 
 import pnsurfaces
 
@@ -16,13 +16,14 @@ THROAT, HALF_AXIS = 26000, 62000
 FOOT, RIM = -85000, 25000
 
 # Half the thickness of the wall, in mm.
-HALF_THICKNESS = 400
+HALF_THICKNESS = 600
 
-_CONCRETE = (0.74, 0.72, 0.68)
+_OUTSIDE = (0.78, 0.76, 0.71)
+_INSIDE = (0.62, 0.66, 0.70)
 
 
 def make_cooling_tower():
-    """A new document with the surfaces Outer and Inner and the solid Wall between them.
+    """A new document with the surfaces Outer and Inner, the solid Wall between them, a Cutaway.
 
     Inner and Wall follow the distance of Outer.
     """
@@ -37,8 +38,9 @@ def make_cooling_tower():
     inner.setExpression("Distance", "-Outer.Distance")
     wall.setExpression("Distance", "Outer.Distance")
     document.recompute()
-    paint(_CONCRETE, outer, inner, wall)
-    show_only(wall)
+    paint_wall(wall, ((outer, _OUTSIDE), (inner, _INSIDE)))
+    cutaway = cut_open(wall, (0, -90000, -90000), (90000, 90000, 120000))
+    show_only(cutaway)
     return document
 
 

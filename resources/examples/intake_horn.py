@@ -6,7 +6,7 @@ Run it as a macro in FreeCAD, or import it and call make_intake_horn().
 
 import Draft
 import FreeCAD
-from display import paint, show_only
+from display import cut_open, paint_wall, show_only
 from FreeCAD import Vector
 
 import pnsurfaces
@@ -27,7 +27,6 @@ HALF_THICKNESS = 2
 
 _METAL = (0.84, 0.50, 0.31)
 _LINING = (0.93, 0.92, 0.88)
-_SECTION = (0.98, 0.78, 0.30)
 
 
 def make_intake_horn():
@@ -48,36 +47,10 @@ def make_intake_horn():
         follower.setExpression("Distance", distance)
         follower.setExpression("Radii", "Outer.Radii")
     document.recompute()
-    half_space = _half_space(document)
-    cutaway = document.addObject("Part::Cut", "Cutaway")
-    cutaway.Base = wall
-    cutaway.Tool = half_space
-    if FreeCAD.GuiUp:
-        _paint(outer, inner, wall, half_space, cutaway)
+    paint_wall(wall, ((inner, _LINING), (outer, _METAL)))
+    cutaway = cut_open(wall, (-100, -100, -100), (300, 100, 300))
     show_only(cutaway)
-    document.recompute()
     return document
-
-
-def _half_space(document):
-    """What is cut away to open the mouth of the horn."""
-    box = document.addObject("Part::Box", "HalfSpace")
-    box.Length, box.Width, box.Height = 300, 100, 300
-    box.Placement.Base = Vector(-100, -100, -100)
-    return box
-
-
-def _paint(outer, inner, wall, half_space, cutaway):
-    """Metal outside, a light lining inside, the section of the wall brighter than both."""
-    paint(_METAL, outer)
-    paint(_LINING, inner)
-    # The faces of the solid: inner and outer surface, then the two ends. A cut takes over these
-    # colours and that of its tool when it is computed.
-    wall.ViewObject.DiffuseColor = [_LINING, _METAL, _SECTION, _SECTION]
-    paint(_SECTION, half_space)
-    # It is drawn as finely as what it is cut from.
-    for name in ("Deviation", "AngularDeflection"):
-        setattr(cutaway.ViewObject, name, getattr(wall.ViewObject, name))
 
 
 if __name__ == "__main__":

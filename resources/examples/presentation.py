@@ -8,12 +8,13 @@ import FreeCADGui
 import main_window
 from cooling_tower import make_cooling_tower
 from intake_horn import make_intake_horn
+from pivy import coin
 from reflector import make_reflector
 from saddle_roof import make_saddle_roof
 from twisted_blade import make_twisted_blade
 
 import pnsurfaces
-from pnsurfaces.compat import QtCore, QtWidgets
+from pnsurfaces.compat import QtCore, QtGui, QtWidgets
 from pnsurfaces.feature import VALID
 
 
@@ -34,20 +35,35 @@ class Example(NamedTuple):
 
 EXAMPLES = (
     Example("intake_horn", make_intake_horn, ("Outer", "Inner", "Wall"), 26, 27),
-    Example("reflector", make_reflector, ("Back", "Front", "Dish"), 30, 35),
-    Example("saddle_roof", make_saddle_roof, ("Upper", "Lower", "Shell"), 35, 22),
-    Example("cooling_tower", make_cooling_tower, ("Outer", "Inner", "Wall"), 30, 18),
-    Example("twisted_blade", make_twisted_blade, ("Suction", "Pressure", "Blade"), 60, 30),
+    Example("reflector", make_reflector, ("Back", "Front", "Dish"), 36, 30),
+    Example("saddle_roof", make_saddle_roof, ("Upper", "Lower", "Shell"), 40, 24),
+    Example("cooling_tower", make_cooling_tower, ("Outer", "Inner", "Wall"), 40, 24),
+    Example("twisted_blade", make_twisted_blade, ("Suction", "Pressure", "Blade"), 30, 40),
 )
 
 # In pixels.
-_WINDOW_SIZE = (1440, 940)
+_WINDOW_SIZE = (1280, 840)
 
 # Wide enough, in pixels, for names and values of properties.
-_TREE_WIDTH = 380
+_TREE_WIDTH = 340
+
+# Pictures are drawn this large, in pixels, cut to what is shown with a margin around it, and made
+# smaller, which leaves no jagged line.
+_DRAWING_SIZE = (2400, 1650)
+_MARGIN = 40
+_PICTURE_SIZE = (880, 600)
+
+# The light in a view: FreeCAD's own comes from the camera and leaves slanted faces black. The
+# percentage of that one, light from everywhere, and lights from the left above and the right, as
+# directions in the coordinates of the camera with their intensities.
+_HEADLIGHT = 55
+_AMBIENT = 0.9
+_LIGHTS = (((0.6, -0.8, -0.7), 0.45), ((-0.9, 0.1, -0.5), 0.3))
+
+_WHITE = 0xFFFFFFFF
 
 # Height of the tree and of the properties below it, in pixels.
-_TREE_AND_PROPERTIES = (260, 640)
+_TREE_AND_PROPERTIES = (220, 580)
 
 
 def present(folder):
@@ -75,6 +91,11 @@ def _presented(example, folder):
 
 
 def _show_window():
+    # FreeCAD stores preferences when it is closed, which the demo does not wait for.
+    preferences = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
+    preferences.SetInt("HeadlightIntensity", _HEADLIGHT)
+    preferences.SetBool("Gradient", False)
+    preferences.SetUnsigned("BackgroundColor", _WHITE)
     main_window.show()
     window = FreeCADGui.getMainWindow()
     window.resize(*_WINDOW_SIZE)
@@ -99,7 +120,7 @@ def _require_regular(surfaces):
 
 
 def _take_pictures(example, selected, folder):
-    """Pictures of the 3D view and of the window, with the properties of `selected`."""
+    """Pictures of the window, with the properties of `selected`, and of the surfaces alone."""
     window = FreeCADGui.getMainWindow()
     combo_view = window.findChild(QtWidgets.QDockWidget, "Combo View")
     # The tree follows the document after a while.
@@ -109,14 +130,41 @@ def _take_pictures(example, selected, folder):
     FreeCADGui.Selection.addSelection(selected)
     view = FreeCADGui.activeDocument().activeView()
     view.setAnimationEnabled(False)
-    view.setCameraOrientation(_camera(example).Q)
+    view.setCameraType("Perspective")
+    camera = _camera(example)
+    view.setCameraOrientation(camera.Q)
     view.fitAll()
-    view.zoomIn()
+    _light(view, camera)
     main_window.settle()
-    view.saveImage(str(folder / f"{example.file_name}_3d.png"), 1600, 1100, "White")
     # A widget cannot grab the OpenGL part of itself, the screen can.
     picture = window.screen().grabWindow(window.winId())
-    picture.save(str(folder / f"{example.file_name}.png"))
+    picture.save(str(folder / f"{example.file_name}_window.png"))
+    FreeCADGui.Selection.clearSelection()
+    path = str(folder / f"{example.file_name}.png")
+    view.saveImage(path, *_DRAWING_SIZE, "White")
+    _trimmed(QtGui.QImage(path)).save(path)
+
+
+def _light(view, camera):
+    """Lights a view whose camera has the orientation `camera` (FreeCAD.Rotation)."""
+    scene = view.getSceneGraph()
+    for direction, intensity in _LIGHTS:
+        light = coin.SoDirectionalLight()
+        light.direction = tuple(camera.multVec(FreeCAD.Vector(*direction)))
+        light.intensity = intensity
+        scene.insertChild(light, 0)
+    environment = coin.SoEnvironment()
+    environment.ambientIntensity = _AMBIENT
+    scene.insertChild(environment, 0)
+
+
+def _trimmed(image):
+    """What is shown on a white image, in the size of a picture."""
+    shown = QtGui.QRegion(QtGui.QBitmap.fromImage(image.createMaskFromColor(_WHITE)))
+    rectangle = shown.boundingRect().adjusted(-_MARGIN, -_MARGIN, _MARGIN, _MARGIN)
+    return image.copy(rectangle).scaled(
+        *_PICTURE_SIZE, QtCore.Qt.KeepAspectRatio, QtCore.Qt.SmoothTransformation
+    )
 
 
 def _camera(example):

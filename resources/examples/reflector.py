@@ -5,21 +5,22 @@ Run it as a macro in FreeCAD, or import it and call make_reflector().
 """
 
 import FreeCAD
-from display import paint, show_only
+from display import cut_open, paint_wall, show_only
 
 import pnsurfaces
 
 # Half-axes of the rim and depth of the dish, in mm.
-HALF_WIDTH, HALF_HEIGHT, DEPTH = 600, 420, 180
+HALF_WIDTH, HALF_HEIGHT, DEPTH = 600, 380, 210
 
 # Thickness of the shell, in mm, behind the reflecting surface.
-THICKNESS = 8
+THICKNESS = 24
 
-_ALUMINIUM = (0.78, 0.80, 0.83)
+_MIRROR = (0.70, 0.76, 0.82)
+_BACK = (0.24, 0.34, 0.46)
 
 
 def make_reflector():
-    """A new document with the surfaces Front and Back and the solid Dish between them.
+    """A new document with the surfaces Front and Back, the solid Dish between them, and a Cutaway.
 
     Dish and Back follow the half-axes of Front, the thickness is the distance of Back.
     """
@@ -36,8 +37,9 @@ def make_reflector():
             follower.setExpression(name, f"Front.{name}")
     dish.setExpression("Distance", "Back.Distance")
     document.recompute()
-    paint(_ALUMINIUM, front, back, dish)
-    show_only(dish)
+    paint_wall(dish, ((front, _MIRROR), (back, _BACK)))
+    cutaway = cut_open(dish, (0, -1000, -500), (1000, 1000, 1000))
+    show_only(cutaway)
     return document
 
 

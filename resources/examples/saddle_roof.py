@@ -5,21 +5,22 @@ Run it as a macro in FreeCAD, or import it and call make_saddle_roof().
 """
 
 import FreeCAD
-from display import paint, show_only
+from display import cut_open, paint_wall, show_only
 
 import pnsurfaces
 
 # Half the length and half the width of the plan, and the rise of the ends, in mm.
-HALF_LENGTH, HALF_WIDTH, RISE = 9000, 6000, 2400
+HALF_LENGTH, HALF_WIDTH, RISE = 9000, 6000, 2800
 
 # Half the thickness of the shell, in mm.
-HALF_THICKNESS = 60
+HALF_THICKNESS = 150
 
-_CONCRETE = (0.74, 0.72, 0.68)
+_TILES = (0.66, 0.72, 0.74)
+_CEILING = (0.80, 0.58, 0.38)
 
 
 def make_saddle_roof():
-    """A new document with the surfaces Upper and Lower and the solid Shell between them.
+    """A new document with the surfaces Upper and Lower, the solid Shell between them, a Cutaway.
 
     Lower and Shell follow the distance of Upper.
     """
@@ -34,8 +35,9 @@ def make_saddle_roof():
     lower.setExpression("Distance", "-Upper.Distance")
     shell.setExpression("Distance", "Upper.Distance")
     document.recompute()
-    paint(_CONCRETE, upper, lower, shell)
-    show_only(shell)
+    paint_wall(shell, ((upper, _TILES), (lower, _CEILING)))
+    cutaway = cut_open(shell, (0, -10000, -10000), (20000, 10000, 20000))
+    show_only(cutaway)
     return document
 
 

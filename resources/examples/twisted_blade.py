@@ -1,28 +1,33 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A twisted blade: straight lines from a cubic root to a cubic tip, between two exact offsets.
+"""A rotor of twisted blades: straight lines from a cubic root to a cubic tip, two exact offsets.
 
 Run it as a macro in FreeCAD, or import it and call make_twisted_blade().
 """
 
 import Draft
 import FreeCAD
-from display import paint, show_only
+from display import draw_finely, paint, show_only
 from FreeCAD import Vector
 
 import pnsurfaces
 
-# Control points of the camber line at the root and at the tip, in mm.
-ROOT = ((0, 0, 0), (0, 38, 26), (0, 86, 30), (0, 128, 4))
-TIP = ((230, 22, -34), (234, 42, 2), (234, 70, 36), (230, 104, 58))
+# Control points of the camber line at the root and at the tip, in mm. The rotor turns about z.
+ROOT = ((30, -26, 30), (30, -12, 4), (30, 10, -18), (30, 28, -30))
+TIP = ((176, -62, 20), (206, -34, 8), (214, 22, -4), (196, 66, -26))
 
 # Half the thickness of the blade, in mm.
 HALF_THICKNESS = 1.5
 
-_STEEL = (0.62, 0.66, 0.72)
+# Half-axes of the ellipsoid in the middle, in mm, and number of blades around it.
+HUB = 50, 50, 72
+BLADES = 5
+
+_STEEL = (0.52, 0.60, 0.70)
+_BRASS = (0.84, 0.66, 0.32)
 
 
 def make_twisted_blade():
-    """A new document with the surfaces Pressure and Suction and the solid Blade between them.
+    """A new document with the surfaces Suction and Pressure, the solid Blade and its Rotor.
 
     All follow the points of Root and Tip and the distance of Suction.
     """
@@ -35,9 +40,15 @@ def make_twisted_blade():
     )
     pressure.setExpression("Distance", "-Suction.Distance")
     blade.setExpression("Distance", "Suction.Distance")
+    hub = pnsurfaces.make_quadric_offset("Ellipsoid", *HUB, name="Hub", Output="Solid")
     document.recompute()
-    paint(_STEEL, suction, pressure, blade)
-    show_only(blade, *curves)
+    rotor = Draft.make_polar_array(blade, BLADES, 360.0, Vector(), use_link=False)
+    rotor.Label = "Rotor"
+    document.recompute()
+    draw_finely(rotor, blade)
+    paint(_STEEL, suction, pressure, blade, rotor)
+    paint(_BRASS, hub)
+    show_only(rotor, hub)
     return document
 
 

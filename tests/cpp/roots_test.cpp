@@ -130,6 +130,9 @@ TEST_CASE("Roots at the ends of [0, 1] count, those beyond do not", "[roots]") {
   CHECK(multiplicity_at(fraction(1, 3)) == 2);
   CHECK(multiplicity_at(Rational(1L)) == 1);
   CHECK(roots_in_unit_interval(RationalPolynomial(1L)).empty());
+  // Coefficients of one sign in the Bernstein basis, and of both.
+  CHECK(roots_in_unit_interval(pair_factor(fraction(1, 2), Rational(3L))).empty());
+  CHECK(roots_in_unit_interval(pair_factor(fraction(1, 2), kTiny)).empty());
 }
 
 TEST_CASE("Positivity on [0, 1] is decided exactly", "[roots]") {

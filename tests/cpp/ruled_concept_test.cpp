@@ -22,13 +22,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What evaluation in doubles leaves of an identity, in parts of the surface's size.
-constexpr double kRounding = 1e-11;
-
 /// The cosine of 120 degrees: normals that turn by more along a ruling may be refused.
 constexpr double kSteepTurn = -0.5;
-
-Vector3d vector(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
 
 /// A sphere with its rates by the parameter.
 struct MovingSphere {
@@ -163,9 +158,9 @@ std::vector<Crossing> crossings(const BSplineSurface& face, double u) {
 void check_loops(const BSplineSurface& face) {
   REQUIRE(face.trims.size() == 1);
   const TrimLoop& loop = face.trims.front();
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    CHECK(loop[i].poles.back() == loop[(i + 1) % loop.size()].poles.front());
-    for (const auto& [u, v] : loop[i].poles) {
+  check_closed(loop);
+  for (const ParameterCurve& curve : loop) {
+    for (const auto& [u, v] : curve.poles) {
       CHECK(u >= face.u_knots.front());
       CHECK(u <= face.u_knots.back());
       CHECK(std::isfinite(v));

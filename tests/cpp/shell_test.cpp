@@ -47,6 +47,14 @@ std::array<int, 3> counts(const TopoDS_Shape& shape) {
   return {count(shape, TopAbs_FACE), count(shape, TopAbs_EDGE), count(shape, TopAbs_VERTEX)};
 }
 
+std::vector<TopAbs_Orientation> orientations_of_faces(const TopoDS_Shape& shape) {
+  std::vector<TopAbs_Orientation> orientations;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
+    orientations.push_back(face.Current().Orientation());
+  }
+  return orientations;
+}
+
 void check_clean(const TopoDS_Shape& shape) {
   CHECK(pn::faults(shape) == std::vector<std::string>());
   CHECK(pn::boolean_faults(shape) == std::vector<std::string>());
@@ -166,11 +174,8 @@ TEST_CASE("Neighbours may run their common edge in opposite directions") {
   CHECK(counts(shell) == std::array{3, 7, 4});
   CHECK(greatest_gap(shell) < 1e-14);
   check_clean(shell);
-  std::vector<TopAbs_Orientation> orientations;
-  for (TopExp_Explorer face(shell, TopAbs_FACE); face.More(); face.Next()) {
-    orientations.push_back(face.Current().Orientation());
-  }
-  CHECK(orientations == std::vector{TopAbs_FORWARD, TopAbs_REVERSED, TopAbs_FORWARD});
+  CHECK(orientations_of_faces(shell) ==
+        std::vector{TopAbs_FORWARD, TopAbs_REVERSED, TopAbs_FORWARD});
 }
 
 TEST_CASE("Edges are as smooth as the surface is") {
@@ -341,6 +346,33 @@ TEST_CASE("A closed ellipsoid of two halves") {
   CHECK(shell.Closed());
   CHECK(greatest_gap(shell) < 1e-14);
   check_clean(shell);
+}
+
+TEST_CASE("Surfaces of several parts have a shell for each, in their order") {
+  using pn::test::tube;
+  const auto halves = pn::test::sphere_halves();
+  // The second and the last tube hang together, as do the two halves of the sphere.
+  const auto shells = pn::make_shells(
+      {halves[0], tube(3, 10, 3, 12), tube(3, 20, 3, 21), halves[1], tube(3, 12, 2, 14)});
+  REQUIRE(shells.size() == 3);
+  CHECK(counts(shells[0]) == std::array{2, 6, 2});
+  CHECK(shells[0].Closed());
+  CHECK(counts(shells[1]) == std::array{2, 5, 3});
+  CHECK_FALSE(shells[1].Closed());
+  CHECK(counts(shells[2]) == std::array{1, 3, 2});
+  for (const TopoDS_Shell& shell : shells) check_clean(shell);
+  CHECK(pn::area(shells[2]) == Approx(6 * kPi).epsilon(1e-12));
+}
+
+TEST_CASE("Each part has its own orientation") {
+  using pn::test::tube;
+  using pn::test::turned_round;
+  const auto shells = pn::make_shells({tube(2, 0, 2, 1), turned_round(tube(2, 5, 2, 6)),
+                                       turned_round(tube(2, 1, 2, 2)), tube(2, 6, 2, 7)});
+  REQUIRE(shells.size() == 2);
+  for (const TopoDS_Shell& shell : shells) {
+    CHECK(orientations_of_faces(shell) == std::vector{TopAbs_FORWARD, TopAbs_REVERSED});
+  }
 }
 
 TEST_CASE("Wires are marked closed") {

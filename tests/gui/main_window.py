@@ -37,6 +37,13 @@ def report_view_is_open():
     return _dock("Report view").isVisible()
 
 
+def status_bar_text():
+    """All that the status bar says."""
+    bar = FreeCADGui.getMainWindow().statusBar()
+    labels = bar.findChildren(QtWidgets.QLabel)
+    return "\n".join([bar.currentMessage(), *(label.text() for label in labels)])
+
+
 def type_text(widget, text):
     """Replaces the text of a widget by typing, key by key."""
     widget.setFocus()

@@ -5,7 +5,12 @@ import FreeCADGui
 import main_window
 import Part
 from FreeCAD import Matrix
-from support import GuiTest, input_of, poles, wait_for_preview
+from support import GuiTest, input_of, make_wall, poles, wait_for_preview
+
+from pnsurfaces.quadric_offset import KINDS
+
+# In pixels: the results of a quadric's panel are then out of view.
+LOW_WINDOW = 560
 
 COMMAND = "PNSurfaces_QuadricOffset"
 
@@ -43,6 +48,18 @@ class CreationTest(QuadricOffsetTest):
         self.document.redo()
         self.assertEqual(poles(self.document.QuadricOffset), made)
 
+    def test_wall_of_a_sector(self):
+        feature, panel = self.open_quadric_panel()
+        input_of(panel, "Region").setCurrentText("Sector")
+        main_window.type_text(input_of(panel, "MaxAngle"), "250")
+        make_wall(panel, "2", "Base and offset")
+        for curve in (self.line, self.spline):
+            curve.ViewObject.hide()
+        main_window.screenshot("quadric_wall")
+        self.assertEqual(input_of(panel, "status").text(), "Valid")
+        self.assertEqual(feature.Shape.ShapeType, "Solid")
+        main_window.confirm(panel)
+
     def test_cancel_leaves_nothing(self):
         objects = self.document.Objects
         _, panel = self.open_quadric_panel()
@@ -55,7 +72,7 @@ class CreationTest(QuadricOffsetTest):
         self.select(self.egg(), "Face1")
         feature, panel = self.run_creation(COMMAND)
         self.assertEqual(feature.Kind, "Of a face")
-        self.assertIn("Ellipsoid, a = 40 mm, b = 20 mm, c = 15 mm", input_of(panel, "face").text())
+        self.assertIn("Ellipsoid with a = 40 mm, b = 20 mm, c = 15 mm", input_of(panel, "face").text())
         self.assertFalse(input_of(panel, "HalfAxisA").isVisible())
         main_window.type_text(input_of(panel, "Distance"), "2")
         wait_for_preview()
@@ -99,6 +116,34 @@ class PanelTest(QuadricOffsetTest):
         main_window.screenshot("quadric_rectangle")
         input_of(panel, "Kind").setCurrentText("Of a face")
         self.assert_visible(panel, "face", "use_selection")
+
+    def test_every_kind_begins_with_a_surface(self):
+        """Its region is offered, its bounds are in proportion, and no log says a word."""
+        feature, panel = self.open_quadric_panel()
+        regions = input_of(panel, "Region")
+        for kind in KINDS:
+            with self.subTest(kind):
+                input_of(panel, "Kind").setCurrentText(kind)
+                wait_for_preview()
+                self.assertEqual(input_of(panel, "status").text(), "Valid")
+                offered = [regions.itemText(i) for i in range(regions.count())]
+                self.assertEqual(offered, list(KINDS[kind].regions))
+                self.assertEqual(regions.currentText(), feature.Region)
+                self.assertEqual(
+                    input_of(panel, "MaxZ").property("value").Value, feature.MaxZ.Value
+                )
+
+    def test_a_sentence_comes_into_view_in_a_low_window(self):
+        _, panel = self.open_quadric_panel()
+        window = FreeCADGui.getMainWindow()
+        window.resize(window.width(), LOW_WINDOW)
+        main_window.settle()
+        status = input_of(panel, "status")
+        self.assertTrue(status.visibleRegion().isEmpty())
+        main_window.type_text(input_of(panel, "HalfAxisB"), "0")
+        wait_for_preview()
+        self.assertFalse(status.visibleRegion().isEmpty())
+        self.assertNotIn("Traceback", main_window.status_bar_text())
 
     def test_an_angle_is_typed_in_degrees(self):
         feature, panel = self.open_quadric_panel()

@@ -5,7 +5,7 @@ import FreeCADGui
 import main_window
 import Part
 from FreeCAD import Vector
-from support import GuiTest, input_of, poles, wait_for_preview
+from support import GuiTest, input_of, make_wall, poles, wait_for_preview
 
 COMMAND = "PNSurfaces_RuledOffset"
 QUESTION = "Select two edges, wires or sketches first, or one ruled face."
@@ -51,6 +51,20 @@ class CreationTest(RuledOffsetTest):
         self.assertIsNone(self.document.getObject("RuledOffset"))
         self.document.redo()
         self.assertEqual(poles(self.document.RuledOffset), made)
+
+    def test_wall_between_splines_of_different_degrees_and_knots(self):
+        curve = Part.BSplineCurve()
+        poles = [Vector(-10, 30, 70), Vector(40, 50, 90), Vector(80, 10, 80), Vector(120, 80, 90)]
+        curve.buildFromPolesMultsKnots(poles, [3, 1, 3], [0.0, 0.3, 1.0], False, 2)
+        upper = self.shape_object(curve.toShape(), "Upper")
+        feature, panel = self.open_ruled_panel((self.spline, "Edge1"), (upper, "Edge1"))
+        make_wall(panel, "2.5", "Both sides")
+        self.line.ViewObject.hide()
+        self.rail.ViewObject.hide()
+        main_window.screenshot("ruled_wall")
+        self.assertEqual(input_of(panel, "status").text(), "Valid")
+        self.assertEqual(feature.Shape.ShapeType, "Solid")
+        main_window.confirm(panel)
 
     def test_cancel_leaves_nothing(self):
         objects = self.document.Objects

@@ -110,6 +110,14 @@ class GuiTest(unittest.TestCase):
         main_window.settle()
 
 
+def make_wall(panel, distance, sides):
+    """Types the distance of a wall, a string, and chooses its sides."""
+    main_window.type_text(input_of(panel, "Distance"), distance)
+    input_of(panel, "Sides").setCurrentText(sides)
+    input_of(panel, "Output").setCurrentText("Solid")
+    wait_for_preview()
+
+
 def spline():
     curve = Part.BSplineCurve()
     vectors = [Vector(*pole) for pole in POLES]

@@ -68,6 +68,11 @@ def torus(radius):
     return pn.canal_surface(spine, pn.Law.constant(radius)).bsplines()
 
 
+def shell_count(brep):
+    """Shells of a BREP text, which begins each shape with a line of its kind."""
+    return brep.splitlines().count("Sh")
+
+
 def assert_equal(face, other):
     for attribute in ATTRIBUTES:
         np.testing.assert_array_equal(getattr(face, attribute), getattr(other, attribute))
@@ -141,9 +146,9 @@ def test_trimmed_neighbours_share_a_piece_of_a_side():
     lower = trimmed(cylinder(0, 1), around((0, 0.5), (1, 0.5), (1, 2.5), (0, 2.5)))
     upper = trimmed(cylinder(1, 2), around((0, 0.5), (1, 0.5), (1, 2.5), (0, 2.5)))
     assert pnocct.check(pnocct.shell([lower, upper]), boolean=True) == []
+    assert shell_count(pnocct.shell([lower, upper])) == 1
     other = trimmed(cylinder(1, 2), around((0, 0.5), (1, 0.5), (1, 3), (0, 3)))
-    with pytest.raises(ValueError, match="do not hang together"):
-        pnocct.shell([lower, other])
+    assert shell_count(pnocct.shell([lower, other])) == 2
 
 
 def test_thick_solid_between_two_offsets():
@@ -181,11 +186,20 @@ def test_arrays_that_are_no_face():
             pnocct.shell([SimpleNamespace(**{**vars(cylinder(0, 1)), **change})])
 
 
-def test_faces_that_are_no_shell():
-    with pytest.raises(ValueError, match="at least one"):
-        pnocct.shell([])
-    with pytest.raises(ValueError, match="do not hang together"):
-        pnocct.shell([cylinder(0, 1), cylinder(2, 3)])
+def test_faces_of_several_parts_make_compounds():
+    parts = [cylinder(0, 1), cylinder(2, 3), cylinder(1, 1.5)]
+    shells = pnocct.shell(parts)
+    assert shell_count(shells) == 2
+    assert pnocct.check(shells, boolean=True) == []
+    solids = pnocct.capped_solid(parts)
+    assert pnocct.check(solids, boolean=True) == []
+    assert pnocct.volume(solids) == pytest.approx(4 * np.pi * 2.5, rel=1e-12)
+
+
+def test_no_face_is_no_shell():
+    for make in (pnocct.shell, pnocct.capped_solid):
+        with pytest.raises(ValueError, match="at least one"):
+            make([])
 
 
 def test_shapes_without_the_quantity_asked_for():

@@ -19,6 +19,7 @@ REGIONS = [
     ("ellipsoid", 3, 2, 1, {"z": (0, 2)}),
     ("ellipsoid", 3, 2, 1, {"x": (0, 2), "y": (-0.5, 1), "z": (0, 1)}),
     ("ellipsoid", 3, 2, 1, {"x": (0, 1), "y": (-0.5, 0.5), "z": (0, 1)}),
+    ("ellipsoid", 3, 2, 1, {"x": (-1.5, 1.5), "y": (-0.8, 0.8)}),
     ("ellipsoid", 3, 2, 1, {"angle": (0.2, 2)}),
     ("ellipsoid", 3, 2, 1, {"angle": (0.2, 5)}),
     ("ellipsoid", 3, 2, 1, {"z": (-0.3, 0.6), "angle": (0.2, 2)}),
@@ -173,12 +174,18 @@ def test_shells_of_regions_are_valid(case):
         assert pnocct.trim_deviation(shell) <= TIGHT
 
 
-def test_a_region_of_two_parts_has_a_face_for_each():
-    faces = pn.quadric("ellipsoid", 3, 2, 1, {"x": (0, 1), "y": (-0.5, 0.5)}).bsplines()
+@pytest.mark.parametrize("offset", [0.0, 0.125])
+def test_a_region_of_two_parts_is_a_compound_of_two_shells(offset):
+    region = {"x": (0, 1), "y": (-0.5, 0.5)}
+    faces = pn.quadric("ellipsoid", 3, 2, 1, region).offset(offset).bsplines()
     assert [len(face.trims) for face in faces] == [1, 1]
-    areas = [pnocct.area(pnocct.shell([face])) for face in faces]
+    shells = [pnocct.shell([face]) for face in faces]
+    both = pnocct.shell(faces)
+    assert both.splitlines().count("Sh") == 2
+    assert pnocct.check(both, boolean=True) == []
+    areas = [pnocct.area(shell) for shell in shells]
     assert areas[0] == pytest.approx(areas[1], abs=TIGHT)
-    assert [pnocct.check(pnocct.shell([face]), boolean=True) for face in faces] == [[], []]
+    assert pnocct.area(both) == pytest.approx(sum(areas), abs=TIGHT)
 
 
 # Bands of ruled surfaces ----------------------------------------------------------------------------

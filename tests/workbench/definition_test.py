@@ -93,7 +93,7 @@ class Definitions(DocumentTest):
         }
         for (kind, bounds), distance in itertools.product(regions.items(), (0.5, -0.5)):
             self.assert_met(make_quadric_offset(kind, 30, 20, 10, distance, bounds=bounds))
-        for kind in ("Elliptic cylinder", "Elliptic cone"):
+        for kind in ("Cylinder", "Cone"):
             self.assert_met(make_quadric_offset(kind, 10, 10, 20, 1, bounds={"z": (2, 20)}))
 
     def test_a_moved_quadric_of_a_face(self):

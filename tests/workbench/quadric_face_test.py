@@ -333,8 +333,8 @@ class Fits(DocumentTest):
 
     def test_other_surfaces(self):
         for shape, sentence in (
-            (Part.makeTorus(10, 2), "Toroid"),
-            (Part.makePlane(3, 4), "Plane"),
+            (Part.makeTorus(10, 2), "lies on a torus"),
+            (Part.makePlane(3, 4), "flat"),
             (Part.makeTorus(10, 2).toNurbs(), "mm away"),
             (Part.Face(Part.makePlane(3, 4).toNurbs().Faces[0]), "flat"),
         ):

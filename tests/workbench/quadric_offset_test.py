@@ -11,11 +11,12 @@ from support import (
     Recovery,
     base_and_offset,
     grid,
+    shape_data,
     volume,
 )
 
 from pnsurfaces import make_quadric_offset
-from pnsurfaces.quadric_offset import AXES
+from pnsurfaces.quadric_offset import AXES, KINDS, suitable_bounds
 
 # Bounds that suit each kind with half-axes 20, 15, 10.
 CASES = {
@@ -26,7 +27,7 @@ CASES = {
     "Hyperbolic paraboloid": {"x": (-10, 12), "y": (-8, 9)},
     "Parabolic cylinder": {"x": (-10, 12), "y": (-8, 9)},
 }
-CASES_OF_REVOLUTION = {"Elliptic cylinder": {"z": (-5, 5)}, "Elliptic cone": {"z": (4, 10)}}
+CASES_OF_REVOLUTION = {"Cylinder": {"z": (-5, 5)}, "Cone": {"z": (4, 10)}}
 
 
 def _gradients(a, b, c):
@@ -47,8 +48,8 @@ def _gradients(a, b, c):
         "Ellipsoid": central((1, 1, 1), -1),
         "One-sheet hyperboloid": central((1, 1, -1), -1),
         "Two-sheet hyperboloid": central((1, 1, -1), 1),
-        "Elliptic cylinder": central((1, 1, 0), -1),
-        "Elliptic cone": central((1, 1, -1), 0),
+        "Cylinder": central((1, 1, 0), -1),
+        "Cone": central((1, 1, -1), 0),
         "Elliptic paraboloid": graph(c / a**2, c / b**2, False),
         "Hyperbolic paraboloid": graph(c / a**2, -c / b**2, True),
         "Parabolic cylinder": graph(c / a**2, 0, False),
@@ -93,7 +94,8 @@ class Kinds(QuadricOffsetTest):
         every = (*AXES, "Face", "Region", "MinX", "MaxZ", "MinAngle")
         for kind, region, shown in (
             ("Ellipsoid", "Whole", {*AXES, "Region"}),
-            ("Elliptic cylinder", "Heights", {"HalfAxisA", "HalfAxisB", "Region", "MaxZ"}),
+            ("Cylinder", "Heights", {"HalfAxisA", "Region", "MaxZ"}),
+            ("Cone", "Heights", {"HalfAxisA", "HalfAxisC", "Region", "MaxZ"}),
             ("Parabolic cylinder", "Rectangle", {"HalfAxisA", "HalfAxisC", "Region", "MinX"}),
             ("Ellipsoid", "Box", {*AXES, "Region", "MinX", "MaxZ"}),
             ("Ellipsoid", "Sector", {*AXES, "Region", "MaxZ", "MinAngle"}),
@@ -156,7 +158,7 @@ class Solids(QuadricOffsetTest):
 
     def test_cylinder(self):
         bounds = {"z": (0, 10)}
-        obj = make_quadric_offset("Elliptic cylinder", 5, 5, 5, 1, bounds=bounds, Output="Solid")
+        obj = make_quadric_offset("Cylinder", 5, distance=1, bounds=bounds, Output="Solid")
         self.assert_valid(obj)
         self.assertAlmostEqual(volume(obj) / (math.pi * 36 * 10), 1, delta=1e-10)
 
@@ -175,7 +177,7 @@ class Solids(QuadricOffsetTest):
 
     def test_an_open_end_that_is_not_flat_is_told(self):
         obj = self.make("Hyperbolic paraboloid", 1, Output="Solid")
-        self.assert_error(obj, "not planar")
+        self.assert_error(obj, "not flat: it leaves its plane by up to ")
 
 
 class Regions(QuadricOffsetTest):
@@ -199,6 +201,24 @@ class Regions(QuadricOffsetTest):
                 self.assertAlmostEqual(min(heights), low, delta=1e-9)
                 self.assertAlmostEqual(max(heights), high, delta=1e-9)
 
+    def test_two_parts_are_two_shells_or_two_walls(self):
+        """Above and below a rectangle an ellipsoid has two parts that mirror each other."""
+        region = {"x": (-6, 10), "y": (-6, 6)}
+        caps = make_quadric_offset("Ellipsoid", 20, 15, 10, 1, bounds=region)
+        self.assert_valid(caps)
+        self.assertEqual(len(caps.Shape.Shells), 2)
+        low, high = sorted([v.Z for v in shell.Vertexes] for shell in caps.Shape.Shells)
+        self.assertGreater(min(high), 0)
+        self.assertAlmostEqual(min(high), -max(low), delta=1e-9)
+        walls = make_quadric_offset(
+            "Ellipsoid", 20, 15, 10, 1, bounds=region, Sides="Both sides", Output="Solid"
+        )
+        self.assert_valid(walls)
+        volumes = [solid.Volume for solid in walls.Shape.Solids]
+        self.assertEqual(len(volumes), 2)
+        self.assertAlmostEqual(volumes[0], volumes[1], delta=1e-6 * volumes[0])
+        self.assertGreater(volumes[0], 0)
+
     def test_angles_are_degrees_and_lengths_take_units(self):
         obj = make_quadric_offset(
             "Ellipsoid", 20, 15, 10, bounds={"z": (0, "0.5 cm"), "angle": (0, "0.25 rad")}
@@ -206,6 +226,32 @@ class Regions(QuadricOffsetTest):
         self.assertEqual(obj.Region, "Sector")
         self.assertEqual(obj.MaxZ.Value, 5)
         self.assertAlmostEqual(obj.MaxAngle.Value, math.degrees(0.25), delta=1e-12)
+
+    def test_a_whole_turn_ends_nothing(self):
+        around, sector = (
+            make_quadric_offset("Ellipsoid", 20, 15, 10, bounds=bounds)
+            for bounds in ({"z": (-5, 5)}, {"z": (-5, 5), "angle": (-90, 270)})
+        )
+        self.assert_valid(sector)
+        self.assertEqual(shape_data(sector.Shape), shape_data(around.Shape))
+
+    def test_suitable_bounds_suit(self):
+        """The panel begins with them: every region that it offers makes a surface."""
+        obj = make_quadric_offset("Ellipsoid", 20, 15, 10)
+        for title, kind in KINDS.items():
+            obj.Kind = title
+            for name, value in suitable_bounds(obj).items():
+                setattr(obj, name, value)
+            for region in kind.regions:
+                with self.subTest(kind=title, region=region):
+                    obj.Region = region
+                    self.document.recompute()
+                    self.assert_valid(obj)
+
+    def test_angles_beyond_a_whole_turn(self):
+        for angle in ((0, 400), ("-7 rad", 0)):
+            with self.assertRaisesRegex(ValueError, "is not between -360° and 360°"):
+                make_quadric_offset("Ellipsoid", 20, 15, 10, bounds={"z": (0, 5), "angle": angle})
 
     def test_bounds_without_a_region(self):
         before = self.document.Objects
@@ -225,7 +271,7 @@ class Faces(QuadricOffsetTest):
         ball = self.face_object(Part.makeSphere(10, Vector(1, 2, 3)))
         obj = make_quadric_offset(ball, distance=2)
         self.assert_valid(obj)
-        self.assertEqual(obj.Recognised, "Ellipsoid, a = 10 mm, b = 10 mm, c = 10 mm")
+        self.assertEqual(obj.Recognised, "Ellipsoid with a = 10 mm, b = 10 mm, c = 10 mm")
         self.assertTrue(obj.Exact)
         self.assertEqual(obj.Placement.Base, Vector(1, 2, 3))
         for face in obj.Shape.Faces:
@@ -274,6 +320,16 @@ class Faces(QuadricOffsetTest):
         self.assertRegex(obj.Notes[0], r"^The face is no quadric exactly: it lies within \d")
         self.assertIn(obj.Notes[0], obj.Status)
 
+    def test_part_of_a_cylinder_or_cone_gives_all_of_it_around(self):
+        for shape in (
+            Part.makeCylinder(5, 10, Vector(), Vector(0, 0, 1), 180),
+            Part.makeCone(5, 2, 10, Vector(), Vector(0, 0, 1), 120),
+        ):
+            with self.subTest(shape.Faces[0].Surface.TypeId):
+                obj = make_quadric_offset(self.face_object(shape), distance=1)
+                self.assert_valid(obj)
+                self.assertIn("the offset is that of a region around it", obj.Status)
+
     def test_a_region_around_the_face_is_told(self):
         cut = Part.makeSphere(10).cut(Part.makeBox(8, 8, 30, Vector(3, 3, -15)))
         number = next(i for i, f in enumerate(cut.Faces) if isinstance(f.Surface, Part.Sphere))
@@ -306,17 +362,40 @@ class Errors(Recovery, QuadricOffsetTest):
                     sentence, lambda: setattr(self.obj, "Region", "Whole")
                 )
 
+    def test_sectors(self):
+        for low, high, sentence in (
+            (90, 0, "The sector is empty: from 90° to 0°."),
+            (30, 30, "The sector is empty: from 30° to 30°."),
+            (0, math.nan, "not a number"),
+        ):
+            with self.subTest(sentence):
+                self.obj.Region, self.obj.MinZ, self.obj.MaxZ = "Sector", -5, 5
+                self.obj.MinAngle, self.obj.MaxAngle = low, high
+                self.assert_fails_and_recovers(
+                    sentence, lambda: setattr(self.obj, "Region", "Whole")
+                )
+
+    def test_a_wall_without_thickness(self):
+        for distance in (0, 1e-9):
+            with self.subTest(distance):
+                self.obj.Sides, self.obj.Output, self.obj.Distance = "Both sides", "Solid", distance
+                self.assert_fails_and_recovers("mm thick. Give it a distance.", self.repair)
+
+    def repair(self):
+        self.obj.Sides, self.obj.Output, self.obj.Distance = "Offset", "Surface", 1
+
     def test_a_surface_without_end(self):
         self.obj.Kind = "One-sheet hyperboloid"
         self.assert_fails_and_recovers("", lambda: setattr(self.obj, "Kind", "Ellipsoid"))
 
     def test_not_rational(self):
-        self.obj.Kind, self.obj.Region, self.obj.MaxZ = "Elliptic cylinder", "Heights", 5
-
-        def repair():
-            self.obj.Kind, self.obj.Region = "Ellipsoid", "Whole"
-
-        self.assert_fails_and_recovers("rational", repair)
+        matrix = Matrix()
+        matrix.scale(2, 1, 1)
+        tube = Part.makeCylinder(5, 10).transformGeometry(matrix)
+        self.obj.Kind, self.obj.Face = "Of a face", self.face_object(tube)
+        self.assert_fails_and_recovers(
+            "not rational", lambda: setattr(self.obj, "Kind", "Ellipsoid")
+        )
 
     def test_face_deleted(self):
         source, name = self.ball(2, 1.5, 1)
@@ -336,7 +415,7 @@ class Errors(Recovery, QuadricOffsetTest):
         self.obj.Face = (torus, [name])
         self.obj.Kind = "Of a face"
         self.assert_fails_and_recovers(
-            "no curved quadric", lambda: setattr(self.obj, "Kind", "Ellipsoid")
+            "lies on a torus", lambda: setattr(self.obj, "Kind", "Ellipsoid")
         )
 
     def test_nothing_is_left_of_a_wrong_call(self):

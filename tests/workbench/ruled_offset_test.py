@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The offset of a ruled surface in the tree: every property, every error, recovery."""
 
+import math
+
 import Part
 from FreeCAD import Placement, Rotation, Vector
 from support import (
@@ -187,9 +189,58 @@ class Errors(Recovery, RuledOffsetTest):
         )
 
     def test_developable_face(self):
-        tube = self.shape_object(Part.makeCylinder(5, 10), "Tube")
-        self.obj.Face = (tube, ["Face1"])
+        sheet = spline().toShape().extrude(Vector(0, 0, 30))
+        self.obj.Face = (self.shape_object(sheet, "Sheet"), ["Face1"])
         self.assert_fails_and_recovers("developable", lambda: setattr(self.obj, "Face", None))
+
+    def test_faces_that_are_for_another_command(self):
+        for shape in (Part.makeCylinder(5, 10), Part.makeCone(5, 2, 10)):
+            with self.subTest(shape.Faces[0].Surface.TypeId):
+                self.obj.Face = (self.shape_object(shape, "Round"), ["Face1"])
+                self.assert_fails_and_recovers(
+                    "The command Quadric offset makes", lambda: setattr(self.obj, "Face", None)
+                )
+
+    def test_circles_of_one_axis(self):
+        """Those of a cylinder or cone are refused; turned against each other they are skew."""
+        lower, upper = Part.makeCircle(10), Part.makeCircle(6, Vector(0, 0, 20))
+        self.first.Shape, self.last.Shape = lower, upper
+
+        def repair():
+            self.first.Shape = polyline(*SKEW[0])
+            self.repair()
+
+        self.assert_fails_and_recovers("Both circles have one axis", repair)
+        upper.rotate(Vector(), Vector(0, 0, 1), 40)
+        self.first.Shape, self.last.Shape = lower, upper
+        self.document.recompute()
+        self.assertNotIn("one axis", self.obj.Status)
+
+    def test_a_wall_without_thickness(self):
+        self.obj.Sides, self.obj.Output, self.obj.Distance = "Both sides", "Solid", 0
+
+        def repair():
+            self.obj.Sides, self.obj.Output, self.obj.Distance = "Offset", "Surface", 1
+
+        self.assert_fails_and_recovers("The wall would be 0 mm thick.", repair)
+
+    def test_ends_that_are_not_flat(self):
+        self.obj.Output = "Solid"
+        self.assert_fails_and_recovers(
+            "it leaves its plane by up to", lambda: setattr(self.obj, "Output", "Surface")
+        )
+
+    def test_edges_that_branch(self):
+        self.last.Shape = Part.makeBox(1, 1, 1)
+        self.assert_fails_and_recovers("branch", self.repair)
+
+    def test_distances_that_are_none(self):
+        for distance in (math.nan, math.inf):
+            with self.subTest(distance):
+                self.obj.Distance = distance
+                self.assert_fails_and_recovers(
+                    "not a finite number", lambda: setattr(self.obj, "Distance", 1)
+                )
 
     def test_face_that_is_not_ruled(self):
         ball = self.shape_object(Part.makeSphere(5), "Ball")

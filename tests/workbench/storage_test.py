@@ -108,10 +108,15 @@ class Storage(DocumentTest):
         self.assertTrue(obj.isValid(), obj.getStatusString())
 
     def test_without_the_kernel(self):
+        self.assert_passes_in_own_freecad("without_kernel")
+
+    def test_in_a_fresh_freecad(self):
+        self.assert_passes_in_own_freecad("fresh_start")
+
+    def assert_passes_in_own_freecad(self, test_module):
+        """The tests of a module pass in another process, which finds the saved document."""
         self.document.saveAs(self.file)
-        command = ["freecadcmd", "-P", pathlib.Path(__file__).parent, "-t", "without_kernel"]
+        command = ["freecadcmd", "-P", pathlib.Path(__file__).parent, "-t", test_module]
         environment = {**os.environ, "PNSURFACES_TEST_DOCUMENT": self.file}
-        # The addon has to find its package by itself, as on a user's machine.
-        environment.pop("PYTHONPATH")
         run = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)

@@ -87,7 +87,7 @@ def _of_object(obj, compare):
     if sentence:
         return {**names, "answer": sentence}
     try:
-        sections = obj.Proxy.sections(obj)
+        sections = obj.Proxy.exact_sections(obj)
     except ValueError as error:
         return {**names, "answer": f"{obj.Label} cannot be computed: {error}"}
     shape = own_shape(obj)

@@ -22,8 +22,8 @@ _LENGTH_PER_RADIUS = 20
 # Half-axes of a new quadric, in millimetres: unequal, so that all three are seen.
 _HALF_AXES = (40.0, 30.0, 20.0)
 
-# Its bounds once it has some: they meet a quadric of any kind, and one side of a cone.
-_BOUNDS = {"MinX": -40.0, "MaxX": 40.0, "MinY": -30.0, "MaxY": 30.0, "MinZ": 0.0, "MaxZ": 40.0}
+# Its bounds once it has some: those of quadric_offset.suitable_bounds.
+_BOUNDS = {"MinX": -20.0, "MaxX": 20.0, "MinY": -15.0, "MaxY": 15.0, "MinZ": 0.0, "MaxZ": 20.0}
 
 
 class CreationCommand:
@@ -51,12 +51,15 @@ class CreationCommand:
             _explain(str(error))
             return
         document = FreeCAD.ActiveDocument
+        is_first = not document.Objects
         # It stays open until the task panel is closed by OK or Cancel.
         document.openTransaction(translate("PNSurfaces", self.transaction))
         try:
             FreeCADGui.doCommand("import pnsurfaces")
             FreeCADGui.doCommand(creation)
             FreeCADGui.getDocument(document.Name).setEdit(document.ActiveObject.Name)
+            if is_first:
+                FreeCADGui.SendMsgToActiveView("ViewFit")
         except Exception:
             FreeCAD.closeActiveTransaction(True)
             raise

@@ -7,19 +7,24 @@ from typing import Any, NamedTuple
 
 import FreeCAD
 
+from pnsurfaces.edge_chain import CONFUSION
 from pnsurfaces.kernel import KernelMissing
 from pnsurfaces.shape import own_shape, solid_of_sections, storage_loss, surface_of_sections
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
+# The choice of Sides that makes one surface, and that of Output whose two surfaces are a wall.
+ONE_SIDE = "Offset"
+SOLID = "Solid"
+
 # The distances that each choice shows, the smallest first.
 SIDES = {
-    "Offset": lambda distance: [distance],
+    ONE_SIDE: lambda distance: [distance],
     "Base and offset": lambda distance: sorted({0.0, distance}),
     "Both sides": lambda distance: sorted({-distance, distance}),
 }
 
-OUTPUTS = {"Surface": surface_of_sections, "Solid": solid_of_sections}
+OUTPUTS = {"Surface": surface_of_sections, SOLID: solid_of_sections}
 
 # What the user chooses, and what the kernel calls it.
 PARAMETER_LINES = {"Even": "even", "Lowest degree": "lowest_degree"}
@@ -44,13 +49,15 @@ class Base(NamedTuple):
     """The kernel's surface at distance 0, and what had to be found out about the input.
 
     `notes` are sentences on what was done to the input; `exact` is whether nothing of it was
-    fitted; `results` are values of the subclass's own result properties, by name.
+    fitted; `results` are values of the subclass's own result properties, by name; `deviation` is
+    how far fits move the surface at most, in mm.
     """
 
     surface: Any
     notes: tuple = ()
     exact: bool = True
     results: Any = MappingProxyType({})
+    deviation: float = 0.0
 
 
 class Sections(NamedTuple):
@@ -100,7 +107,8 @@ RESULTS = (
            QT_TRANSLATE_NOOP("App::Property", "Number of poles of all faces")),
     result("App::PropertyString", "Deviation",
            QT_TRANSLATE_NOOP("App::Property",
-                             "Proven bound on the distance to the true surface")),
+                             "Bound on the distance to the true surface; proven, but for"
+                             " fits that are said to be measured")),
     # The property editor would show it as 0.00.
     Property("App::PropertyFloat", "DeviationBound", "Result",
              QT_TRANSLATE_NOOP("App::Property", "The same bound as a number, in millimetres"),
@@ -142,6 +150,10 @@ class FeatureBase:
         """The surface at distance 0 (Base), from the subclass's inputs."""
         raise NotImplementedError
 
+    def sections(self, obj, surface):
+        """The sections of the surface at distance 0 that are shown, the innermost first."""
+        return [surface.offset(distance) for distance in _distances(obj)]
+
     def execute(self, obj):
         """Makes the shape and the results; on failure keeps both and says why."""
         try:
@@ -163,11 +175,10 @@ class FeatureBase:
             obj.DeviationBound = float(obj.Deviation.removesuffix(" mm"))
         self._restore_digits(obj)
 
-    def sections(self, obj):
+    def exact_sections(self, obj):
         """The Sections of the present inputs, whatever the shape shows."""
         base = self.base(obj)
-        distances = SIDES[obj.Sides](obj.Distance.Value)
-        surfaces = [base.surface.offset(distance) for distance in distances]
+        surfaces = self.sections(obj, base.surface)
         lines = PARAMETER_LINES[obj.ParameterLines]
         faces = [surface.bsplines(lines=lines) for surface in surfaces]
         return Sections(
@@ -176,7 +187,7 @@ class FeatureBase:
 
     def _computed(self, obj):
         """The shape and the values of the result properties, by name."""
-        base, surfaces, faces, certificates = self.sections(obj)
+        base, surfaces, faces, certificates = self.exact_sections(obj)
         shape = OUTPUTS[obj.Output](faces)
         return shape, {**_results(base, surfaces, faces, certificates), **base.results}
 
@@ -207,7 +218,17 @@ class FeatureBase:
                 obj.addProperty(entry.type, entry.name, entry.group, entry.doc, entry.attributes)
                 if entry.value is not None:
                     setattr(obj, entry.name, entry.value)
+            elif entry.type == "App::PropertyEnumeration":
+                _offer_all_choices(obj, entry)
         obj.SchemaVersion = self.schema_version
+
+
+def _offer_all_choices(obj, entry):
+    """Adds the choices that the program which saved the document did not know."""
+    if obj.getEnumerationsOfProperty(entry.name) != entry.value:
+        chosen = getattr(obj, entry.name)
+        setattr(obj, entry.name, entry.value)
+        setattr(obj, entry.name, chosen)
 
 
 def make_feature(proxy, document, name, values):
@@ -242,6 +263,15 @@ def deviation_text(deviation):
     return f"{deviation:.1e} mm" if deviation else "0 mm"
 
 
+def _distances(obj):
+    """The distances of the surfaces that are shown, the smallest first."""
+    distances = SIDES[obj.Sides](obj.Distance.Value)
+    thickness = distances[-1] - distances[0]
+    if obj.Output == SOLID and obj.Sides != ONE_SIDE and thickness <= CONFUSION:
+        raise ValueError(f"The wall would be {thickness:.2g} mm thick. Give it a distance.")
+    return distances
+
+
 def _restore_view_provider(obj):
     """A document saved without FreeCAD's window knows no view provider, so no panel either."""
     if not FreeCAD.GuiUp:
@@ -256,7 +286,8 @@ def _results(base, sections, faces, certificates):
     """The values of the result properties that all features have, by name."""
     notes = [*base.notes, *(note for certificate in certificates for note in certificate.notes)]
     every_face = [face for section_faces in faces for face in section_faces]
-    bound = _rounded_up(max(certificate.deviation for certificate in certificates))
+    rounding = max(certificate.deviation for certificate in certificates)
+    bound = _rounded_up(rounding + base.deviation)
     trim_deviation = max(certificate.trim_deviation for certificate in certificates)
     low, high = base.surface.regular_range
     notes = list(dict.fromkeys(notes))

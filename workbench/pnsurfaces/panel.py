@@ -16,8 +16,11 @@ translate = FreeCAD.Qt.translate
 # keystrokes, shorter than what is felt as waiting.
 PREVIEW_DELAY = 150
 
-# FreeCAD's name of the Report view among the observers of its console.
-_REPORT_VIEW = "ReportOutput"
+# FreeCAD's names of the Report view and the status bar among the observers of its console.
+_LOGS = ("ReportOutput", "StatusBar")
+
+# A sentence in the narrow panel has about so many lines, and its label grows after it has it.
+_LINES_OF_STATUS = 6
 
 # How a status that opens with this word is shown, readable on light and on dark panels.
 _STYLES = {"Error": "color: #e01b24", "Warning": "color: #c86400"}
@@ -35,17 +38,19 @@ def title(link):
 
 
 @contextlib.contextmanager
-def _silent_report_view():
-    """Keeps the Report view from opening at an unfinished number: the panel says what is wrong."""
+def _silent_logs():
+    """Keeps the logs from showing a traceback at an unfinished number: the panel says all."""
     console = FreeCAD.Console
-    kinds = [kind for kind in ("Err", "Wrn") if console.GetStatus(_REPORT_VIEW, kind)]
-    for kind in kinds:
-        console.SetStatus(_REPORT_VIEW, kind, False)
+    spoken = [
+        (log, kind) for log in _LOGS for kind in ("Err", "Wrn") if console.GetStatus(log, kind)
+    ]
+    for log, kind in spoken:
+        console.SetStatus(log, kind, False)
     try:
         yield
     finally:
-        for kind in kinds:
-            console.SetStatus(_REPORT_VIEW, kind, True)
+        for log, kind in spoken:
+            console.SetStatus(log, kind, True)
 
 
 class TaskPanel:
@@ -78,6 +83,12 @@ class TaskPanel:
         setattr(self.feature, name, value)
         self._timer.start()
 
+    def fill(self, spin_box, name):
+        """Shows the value of a property in its box, which rounds and may not write that back."""
+        spin_box.blockSignals(True)
+        spin_box.setProperty("value", getattr(self.feature, name))
+        spin_box.blockSignals(False)
+
     def record(self, name):
         """Has the property `name` in the recorded macro when it differs at the end."""
         self._before[name] = _state(self.feature, name)
@@ -85,7 +96,7 @@ class TaskPanel:
     def preview(self):
         """Computes this feature, and no other, and shows the result."""
         self._timer.stop()
-        with _silent_report_view():
+        with _silent_logs():
             self.feature.recompute()
         self.show_result()
 
@@ -96,6 +107,8 @@ class TaskPanel:
         kind, _, _ = status.partition(":")
         self._result.status.setText(status)
         self._result.status.setStyleSheet(_STYLES.get(kind, ""))
+        if kind in _STYLES:
+            _scroll_to(self._result.status)
         self._result.values.setEnabled(valid)
         for label in self._result.values.findChildren(QtWidgets.QLabel):
             if label.objectName() in self.feature.PropertiesList:
@@ -103,6 +116,11 @@ class TaskPanel:
         self._result.regular_range.setText(
             _range(self.feature.MinOffset.Value, self.feature.MaxOffset.Value)
         )
+
+    def explain(self, sentence):
+        """Says what is wrong with what the user did, where the status is shown."""
+        self._result.status.setText(f"Error: {sentence}")
+        self._result.status.setStyleSheet(_STYLES["Error"])
 
     def accept(self):
         """OK: keeps the surface. Without a surface the panel stays and says why."""
@@ -150,6 +168,8 @@ class TaskPanel:
                 self._bind_enumeration(widget, name)
             elif isinstance(widget, QtWidgets.QCheckBox):
                 self._bind_switch(widget, name)
+            elif isinstance(widget, QtWidgets.QLineEdit):
+                self._bind_text(widget, name)
             else:
                 self._bind_quantity(widget, name)
 
@@ -162,10 +182,13 @@ class TaskPanel:
         check_box.setChecked(getattr(self.feature, name))
         connect(check_box, "toggled(bool)", lambda checked: self.assign(name, checked))
 
+    def _bind_text(self, line_edit, name):
+        line_edit.setText(getattr(self.feature, name))
+        connect(line_edit, "textChanged(QString)", lambda text: self.assign(name, text))
+
     def _bind_quantity(self, spin_box, name):
         FreeCADGui.ExpressionBinding(spin_box).bind(self.feature, name)
-        # The box rounds what it is given: it may not write that back, so it is filled first.
-        spin_box.setProperty("value", getattr(self.feature, name))
+        self.fill(spin_box, name)
         connect(spin_box, "valueChanged(double)", lambda value: self.assign(name, value))
 
     def _restore_state(self):
@@ -184,6 +207,16 @@ class TaskPanel:
             elif value != old_value:
                 FreeCADGui.doCommand(f"{feature}.{name} = {value}")
         FreeCADGui.doCommand(f"{document}.recompute()")
+
+
+def _scroll_to(widget):
+    """Brings a widget into view where the panel is longer than the window.
+
+    From a widget to its parents there is no way in PySide that leaves the widget alive.
+    """
+    for area in FreeCADGui.getMainWindow().findChildren(QtWidgets.QScrollArea):
+        if area.isAncestorOf(widget):
+            area.ensureWidgetVisible(widget, 0, _LINES_OF_STATUS * widget.fontMetrics().height())
 
 
 def _state(feature, name):

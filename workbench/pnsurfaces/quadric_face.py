@@ -29,6 +29,7 @@ FIT_LIMIT = 1e-5
 _GRID = 24
 
 _CHOICE = "Choose a face of a sphere, cylinder, cone or another curved quadric."
+_FLAT = f"The face is flat. {_CHOICE}"
 
 
 class NotQuadric(ValueError):
@@ -109,8 +110,10 @@ def _points(face):
 
 def _typed_form(surface, points):
     """The form of a surface of its own type, None for a surface of another type."""
-    if isinstance(surface, (Part.Plane, Part.Toroid)):
-        raise NotQuadric(f"The face ({surface.TypeId}) is no curved quadric. {_CHOICE}")
+    if isinstance(surface, Part.Plane):
+        raise NotQuadric(_FLAT)
+    if isinstance(surface, Part.Toroid):
+        raise NotQuadric(f"The face lies on a torus, which is no quadric. {_CHOICE}")
     if isinstance(surface, Part.Sphere):
         frame = frame_along(surface.Axis)
         return QuadricForm("ellipsoid", (surface.Radius,) * 3, frame, np.array(surface.Center))
@@ -139,7 +142,7 @@ def _typed_cone(surface, points):
 def _fitted_form(face, points, size):
     offsets = points - points.mean(axis=0)
     if np.linalg.svd(offsets, compute_uv=False)[-1] <= FIT_LIMIT * size * math.sqrt(len(points)):
-        raise NotQuadric(f"The face is flat. {_CHOICE}")
+        raise NotQuadric(_FLAT)
     u_first, u_last, v_first, v_last = face.ParameterRange
     top = np.array(face.normalAt((u_first + u_last) / 2, (v_first + v_last) / 2))
     form = nearest_form(points, top)

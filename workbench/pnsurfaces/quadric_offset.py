@@ -28,33 +28,45 @@ AXES = ("HalfAxisA", "HalfAxisB", "HalfAxisC")
 # The choice of Region without bounds.
 WHOLE = "Whole"
 
+# A sector of so many degrees ends nothing.
+WHOLE_TURN = 360
+
 
 class Kind(NamedTuple):
-    """A kind of quadric: its name in pnkernel, half-axes, a region that ends it, equation."""
+    """A kind of quadric: its name in pnkernel, half-axes, regions, equation.
+
+    A half-axis that it does not have equals a. To begin with, the first region suits, and these
+    least and largest heights, as multiples of c.
+    """
 
     name: str
     axes: tuple
-    region: str
+    regions: tuple
+    heights: tuple
     equation: str
 
 
+_HEIGHTS_OR_SIDES = ("Heights", "Rectangle", "Box", "Sector")
+
 KINDS = {
     "Ellipsoid":
-        Kind("ellipsoid", AXES, WHOLE, "x²/a² + y²/b² + z²/c² = 1"),
+        Kind("ellipsoid", AXES, (WHOLE, *_HEIGHTS_OR_SIDES), (0, 1), "x²/a² + y²/b² + z²/c² = 1"),
     "One-sheet hyperboloid":
-        Kind("one_sheet_hyperboloid", AXES, "Heights", "x²/a² + y²/b² − z²/c² = 1"),
+        Kind("one_sheet_hyperboloid", AXES, ("Heights", "Sector"), (-1, 1),
+             "x²/a² + y²/b² − z²/c² = 1"),
     "Two-sheet hyperboloid":
-        Kind("two_sheet_hyperboloid", AXES, "Heights", "z²/c² − x²/a² − y²/b² = 1, z > 0"),
+        Kind("two_sheet_hyperboloid", AXES, _HEIGHTS_OR_SIDES, (0, 2),
+             "z²/c² − x²/a² − y²/b² = 1, z > 0"),
     "Elliptic paraboloid":
-        Kind("elliptic_paraboloid", AXES, "Heights", "z = c (x²/a² + y²/b²)"),
+        Kind("elliptic_paraboloid", AXES, _HEIGHTS_OR_SIDES, (0, 1), "z = c (x²/a² + y²/b²)"),
     "Hyperbolic paraboloid":
-        Kind("hyperbolic_paraboloid", AXES, "Rectangle", "z = c (x²/a² − y²/b²)"),
-    "Elliptic cylinder":
-        Kind("elliptic_cylinder", AXES[:2], "Heights", "x²/a² + y²/b² = 1"),
-    "Elliptic cone":
-        Kind("elliptic_cone", AXES, "Heights", "x²/a² + y²/b² = z²/c²"),
+        Kind("hyperbolic_paraboloid", AXES, ("Rectangle",), (-1, 1), "z = c (x²/a² − y²/b²)"),
+    "Cylinder":
+        Kind("elliptic_cylinder", AXES[:1], ("Heights",), (0, 2), "x² + y² = a²"),
+    "Cone":
+        Kind("elliptic_cone", AXES[::2], ("Heights",), (0.5, 1), "x² + y² = a² z²/c²"),
     "Parabolic cylinder":
-        Kind("parabolic_cylinder", AXES[::2], "Rectangle", "z = c x²/a²"),
+        Kind("parabolic_cylinder", AXES[::2], ("Rectangle",), (0, 1), "z = c x²/a²"),
 }
 
 # The choice of Kind that stands for the quadric on which the face lies.
@@ -109,7 +121,7 @@ class QuadricOffset(FeatureBase):
         _bound("MinAngle", QT_TRANSLATE_NOOP("App::Property", "Where the sector begins, from x"),
                0.0),
         _bound("MaxAngle", QT_TRANSLATE_NOOP("App::Property", "Where the sector ends, from x"),
-               180.0),
+               120.0),
         result("App::PropertyString", "Recognised",
                QT_TRANSLATE_NOOP("App::Property", "The quadric on which the face lies")),
         result("App::PropertyString", "FaceDeviation",
@@ -120,8 +132,8 @@ class QuadricOffset(FeatureBase):
     def base(self, obj):
         if obj.Kind == OF_FACE:
             return _base_of_face(read_face(obj))
-        a, b, c = (getattr(obj, name).Value for name in AXES)
-        surface = kernel.pnkernel().quadric(KINDS[obj.Kind].name, a, b, c, bounds=_bounds(obj))
+        name, axes = KINDS[obj.Kind].name, _half_axes(obj)
+        surface = kernel.pnkernel().quadric(name, *axes, bounds=_bounds(obj))
         return Base(surface, results={"Recognised": "", "FaceDeviation": ""})
 
     def onChanged(self, obj, name):
@@ -142,6 +154,17 @@ def shown_inputs(obj):
     return {"Region", *KINDS[obj.Kind].axes, *bounds}
 
 
+def suitable_bounds(obj):
+    """Bounds in proportion to kind and half-axes of a feature QuadricOffset, by property name."""
+    a, b, c = _half_axes(obj)
+    low, high = KINDS[obj.Kind].heights
+    return {
+        "MinX": -a / 2, "MaxX": a / 2,
+        "MinY": -b / 2, "MaxY": b / 2,
+        "MinZ": low * c, "MaxZ": high * c,
+    }
+
+
 def read_face(obj):
     """The quadric (quadric_face.QuadricFace) on which the face of a feature QuadricOffset lies.
 
@@ -153,11 +176,16 @@ def read_face(obj):
 
 
 def describe(quadric):
-    """A quadric_face.QuadricFace for the user, such as "Ellipsoid, a = 20 mm, b = 10 mm"."""
+    """A quadric_face.QuadricFace for the user: "ellipsoid with a = 20 mm, b = 10 mm, c = 5 mm"."""
     title, kind = next((title, kind) for title, kind in KINDS.items() if kind.name == quadric.kind)
+    title, names = title.lower(), kind.axes
+    a, b, _ = quadric.axes
+    if quadric.kind in ("elliptic_cylinder", "elliptic_cone") and a != b:
+        # Such a face is refused, and the user sees why.
+        title, names = f"elliptic {title}", AXES
     lengths = dict(zip(AXES, quadric.axes))
-    axes = [f"{name[-1].lower()} = {lengths[name]:.6g} mm" for name in kind.axes]
-    return ", ".join([title, *axes])
+    axes = [f"{name[-1].lower()} = {lengths[name]:.6g} mm" for name in names]
+    return f"{title} with {', '.join(axes)}"
 
 
 def make_quadric_offset(kind_or_face, a=1.0, b=1.0, c=1.0, distance=0, *, bounds=None,
@@ -203,33 +231,43 @@ def _base_of_face(found):
     if found.is_fitted():
         notes.append(
             "The face is no quadric exactly: it lies within"
-            f" {found.deviation:.1e} mm of the {describe(found)}."
+            f" {deviation_text(found.deviation)} of the {describe(found)}."
         )
     if not found.covered:
         notes.append("The face ends along other lines: the offset is that of a region around it.")
     results = {
-        "Recognised": describe(found),
+        "Recognised": describe(found).capitalize(),
         "FaceDeviation": deviation_text(found.deviation),
         "Placement": found.placement,
     }
-    return Base(surface, tuple(notes), not found.is_fitted(), results)
+    return Base(surface, notes=tuple(notes), exact=not found.is_fitted(), results=results)
+
+
+def _half_axes(obj):
+    """a, b, c in millimetres."""
+    axes = KINDS[obj.Kind].axes
+    return [getattr(obj, name if name in axes else AXES[0]).Value for name in AXES]
 
 
 def _bounds(obj):
     """The bounds of the region as pnkernel.quadric takes them, angles in radians."""
-    bounds = {}
-    for coordinate in REGIONS[obj.Region]:
-        low, high = (getattr(obj, name).Value for name in BOUNDS[coordinate])
-        if coordinate == "Angle":
-            low, high = math.radians(low), math.radians(high)
-        bounds[coordinate.lower()] = (low, high)
+    bounds = {
+        coordinate.lower(): tuple(getattr(obj, name).Value for name in BOUNDS[coordinate])
+        for coordinate in REGIONS[obj.Region]
+    }
+    if "angle" in bounds:
+        low, high = bounds.pop("angle")
+        if low >= high:
+            raise ValueError(f"The sector is empty: from {low:g}° to {high:g}°.")
+        if not high - low >= WHOLE_TURN:
+            bounds["angle"] = math.radians(low), math.radians(high)
     return bounds
 
 
 def _region_values(bounds):
     """The property values that an argument `bounds` stands for.
 
-    Raises ValueError when no region has these bounds.
+    Raises ValueError when no region has these bounds, or an angle is too large.
     """
     wanted = {name.capitalize() for name in bounds}
     region = next((name for name, used in REGIONS.items() if set(used) == wanted), None)
@@ -238,4 +276,8 @@ def _region_values(bounds):
     values = {"Region": region}
     for name, pair in bounds.items():
         values.update(zip(BOUNDS[name.capitalize()], pair))
+    # FreeCAD would cut the property down to the limit without a word.
+    for angle in map(FreeCAD.Units.Quantity, bounds.get("angle", ())):
+        if abs(angle.Value) > WHOLE_TURN:
+            raise ValueError(f"The angle {angle.Value:g}° is not between -360° and 360°.")
     return values

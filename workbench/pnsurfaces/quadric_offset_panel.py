@@ -11,10 +11,10 @@ from pnsurfaces.quadric_offset import (
     CHANGING,
     KINDS,
     OF_FACE,
-    WHOLE,
     describe,
     read_face,
     shown_inputs,
+    suitable_bounds,
 )
 from pnsurfaces.selection import selected_face
 
@@ -31,6 +31,7 @@ class QuadricOffsetPanel(TaskPanel):
         connect(self._inputs.use_selection, "clicked()", self.use_selection)
         connect(self._inputs.Kind, "currentTextChanged(QString)", self._show_kind)
         connect(self._inputs.Region, "currentTextChanged(QString)", self._show_inputs)
+        self._offer_regions()
         self._show_inputs()
 
     def use_selection(self):
@@ -43,10 +44,26 @@ class QuadricOffsetPanel(TaskPanel):
         self._show_face()
 
     def _show_kind(self):
-        # An infinite surface needs an end before it can be shown.
-        if self.feature.Region == WHOLE and self.feature.Kind in KINDS:
-            self._inputs.Region.setCurrentText(KINDS[self.feature.Kind].region)
+        kind = KINDS.get(self.feature.Kind)
+        if kind:
+            if self.feature.Region not in kind.regions:
+                self.assign("Region", kind.regions[0])
+            for name, bound in suitable_bounds(self.feature).items():
+                self.assign(name, bound)
+                self.fill(getattr(self._inputs, name), name)
+        self._offer_regions()
         self._show_inputs()
+
+    def _offer_regions(self):
+        """Offers the regions of the kind, and the one that there is."""
+        kind, region = KINDS.get(self.feature.Kind), self.feature.Region
+        regions = kind.regions if kind else ()
+        combo_box = self._inputs.Region
+        combo_box.blockSignals(True)
+        combo_box.clear()
+        combo_box.addItems(list(dict.fromkeys([*regions, region])))
+        combo_box.setCurrentText(region)
+        combo_box.blockSignals(False)
 
     def _show_inputs(self):
         shown = shown_inputs(self.feature)
@@ -67,7 +84,7 @@ class QuadricOffsetPanel(TaskPanel):
             found = read_face(self.feature)
             distance = translate("PNSurfaces", "{} away from the face")
             away = distance.format(deviation_text(found.deviation))
-            recognised = f"{describe(found)}<br>{away}"
+            recognised = f"{describe(found).capitalize()}<br>{away}"
         except ValueError as error:
             recognised = str(error)
         link = self.feature.Face

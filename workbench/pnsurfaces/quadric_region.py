@@ -17,14 +17,15 @@ _WHOLE_TURN = 2 * math.pi
 
 # The coordinates by which a region of each kind may be bounded; the first ones are those of a
 # region around a face that ends along other lines.
+_ALL_AROUND = (("z",),)
 _AROUND_AXIS = (("z",), ("z", "angle"))
 _ABOVE_PLANE = (("x", "y"),)
 _REGIONS = {
     "ellipsoid": _AROUND_AXIS,
     "one_sheet_hyperboloid": _AROUND_AXIS,
     "two_sheet_hyperboloid": _AROUND_AXIS,
-    "elliptic_cylinder": _AROUND_AXIS,
-    "elliptic_cone": _AROUND_AXIS,
+    "elliptic_cylinder": _ALL_AROUND,
+    "elliptic_cone": _ALL_AROUND,
     "elliptic_paraboloid": _AROUND_AXIS + _ABOVE_PLANE,
     "hyperbolic_paraboloid": _ABOVE_PLANE,
     "parabolic_cylinder": _ABOVE_PLANE,

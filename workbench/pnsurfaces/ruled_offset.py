@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The offset of a ruled surface in the tree."""
 
+import Part
+
 from pnsurfaces import kernel
-from pnsurfaces.edge_chain import ChainError, read_edge_chain
+from pnsurfaces.edge_chain import CONFUSION, ChainError, read_edge_chain
 from pnsurfaces.feature import QT_TRANSLATE_NOOP, Base, FeatureBase, Property, make_feature
-from pnsurfaces.linked_shape import as_link, only_face
+from pnsurfaces.linked_shape import as_link, linked_shapes, only_face
 from pnsurfaces.ruled_face import RuledFace, read_ruled_face
 
 GROUP = "Ruled surface"
+
+_OTHER_COMMAND = "The command Quadric offset makes its exact offset."
 
 
 class RuledOffset(FeatureBase):
@@ -34,17 +38,44 @@ class RuledOffset(FeatureBase):
 def read_curves(obj):
     """The two curves (ruled_face.RuledFace) of a feature RuledOffset.
 
-    Raises ChainError, LinkError or NotRuled with a sentence for the user.
+    Raises ValueError (ChainError, LinkError, NotRuled) with a sentence for the user.
     """
     container = obj.getParentGeoFeatureGroup()
     if obj.Face:
-        curves = read_ruled_face(only_face(obj.Face, container))
+        curves = read_ruled_face(_skew_face(only_face(obj.Face, container)))
     else:
         if not (obj.CurveA and obj.CurveB):
             raise ChainError("A curve is missing. Choose two edges, or one ruled face.")
         links = obj.CurveA, obj.CurveB
+        if not obj.Reversed:
+            _require_no_revolution(links, container)
         curves = RuledFace(*(read_edge_chain(*link, container) for link in links))
     return RuledFace(curves.first, curves.last.reversed()) if obj.Reversed else curves
+
+
+def _skew_face(face):
+    """The face, unless it is one whose circles are not circles exactly as B-splines."""
+    if isinstance(face.Surface, (Part.Cylinder, Part.Cone)):
+        raise ValueError(f"The face lies on a cylinder or cone of revolution. {_OTHER_COMMAND}")
+    return face
+
+
+def _require_no_revolution(links, container):
+    """Refuses two circles that bound a cylinder or cone, for the same reason."""
+    edges = [edge for link in links for shape in linked_shapes(*link, container)
+             for edge in shape.Edges]
+    if len(edges) != 2 or not all(isinstance(edge.Curve, Part.Circle) for edge in edges):
+        return
+    one, other = (edge.Curve for edge in edges)
+    differences = (
+        (other.Center - one.Center).cross(one.Axis),
+        one.Axis - other.Axis,
+        one.XAxis - other.XAxis,
+    )
+    if all(vector.Length <= CONFUSION for vector in differences):
+        raise ValueError(
+            f"Both circles have one axis: between them lies a cylinder or cone. {_OTHER_COMMAND}"
+        )
 
 
 def make_ruled_offset(edge_a, edge_b=None, distance=0, *, document=None, name="RuledOffset",

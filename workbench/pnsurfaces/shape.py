@@ -18,17 +18,19 @@ _SEWING_TOLERANCE = 1e-6
 
 
 def surface_of_sections(sections):
-    """A shell, or a compound of one shell for each section."""
-    shells = [part_shape(kernel.pnocct().shell(faces)) for faces in sections]
-    return shells[0] if len(shells) == 1 else Part.Compound(shells)
+    """A shell, or a compound of shells: one for each part of each section."""
+    return _together([shell for faces in sections for shell in _shells(faces)])
 
 
 def solid_of_sections(sections):
-    """The solid inside one section, closed flat, or the one between two, closed by normals."""
+    """The solid inside one section, closed flat, or the one between two, closed by normals.
+
+    Sections of several parts give a compound of solids.
+    """
     if len(sections) == 1:
         return part_shape(kernel.pnocct().capped_solid(sections[0]))
     if any(face.trims for faces in sections for face in faces):
-        return _joined_by_walls(*(part_shape(kernel.pnocct().shell(faces)) for faces in sections))
+        return _together([_joined_by_walls(*pair) for pair in zip(*map(_shells, sections))])
     return part_shape(kernel.pnocct().thick_solid(*sections))
 
 
@@ -75,6 +77,15 @@ def _poles(face):
 
 def _difference(a, b):
     return np.abs(a - b).max(initial=0) if a.shape == b.shape else np.inf
+
+
+def _shells(faces):
+    return part_shape(kernel.pnocct().shell(faces)).Shells
+
+
+def _together(shapes):
+    """A single shape as it is, several as a compound."""
+    return shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
 
 
 def part_shape(brep):

@@ -10,12 +10,16 @@
 #include <exception>
 #include <vector>
 
+#include "pn/algebra/cancellation.hpp"
+
 namespace pn {
 
 /// work(i) for i = 0 .. count - 1, on as many threads as there are. When some of them throw, the
-/// exception of the least i is thrown, whatever the threads did first.
+/// exception of the least i is thrown, whatever the threads did first. Throws Cancelled when the
+/// work around was asked to stop.
 template <class Work>
 void for_each_index(std::size_t count, Work&& work) {
+  stop_if_cancelled();
   if (count == 1) return work(std::size_t{0});
   std::vector<std::exception_ptr> errors(count);
   const auto guarded = [&](std::size_t i) {
@@ -27,6 +31,7 @@ void for_each_index(std::size_t count, Work&& work) {
   };
   // Isolated, so that a thread that waits here does not take up foreign work, perhaps under a lock.
   tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, count, guarded); });
+  stop_if_cancelled();
   for (const std::exception_ptr& error : errors) {
     if (error) std::rethrow_exception(error);
   }

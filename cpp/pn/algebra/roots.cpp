@@ -167,6 +167,15 @@ RootSet isolated_by_factors(const RationalPolynomial& p, long precision) {
   return united(sets);
 }
 
+/// The signs of the Bernstein coefficients on [0, 1].
+std::vector<int> bernstein_signs(const RationalPolynomial& p) {
+  std::vector<int> signs;
+  for (const Rational& b : to_bernstein(coefficients(p, std::max(p.degree(), 0)))) {
+    signs.push_back(b.sign());
+  }
+  return signs;
+}
+
 /// +1, -1 for a root certainly above, below x; 0 when its ball contains x.
 int side_of(const RealBall& root, long x) {
   const RealBall difference = root - RealBall(x);
@@ -194,6 +203,10 @@ std::vector<RealRoot> roots_in_unit_interval(const RationalPolynomial& p) {
     if (multiplicity > 0) inside.push_back({RealBall(end), multiplicity});
     rest = without;
   }
+  // Without a change of sign, and not zero at the ends, the rest has no root in between.
+  const std::vector<int> signs = bernstein_signs(rest);
+  const auto opposite = [&](int sign) { return sign == -signs.front(); };
+  if (std::none_of(signs.begin(), signs.end(), opposite)) return inside;
   // The remaining roots differ from 0 and 1, so some precision separates them from both.
   for (long precision = 128;; precision *= 2) {
     const RootSet roots = isolate_roots(rest, precision);
@@ -209,10 +222,10 @@ std::vector<RealRoot> roots_in_unit_interval(const RationalPolynomial& p) {
 }
 
 bool is_positive_on_unit_interval(const RationalPolynomial& p) {
-  const auto bernstein = to_bernstein(coefficients(p, std::max(p.degree(), 0)));
-  const auto positive = [](const Rational& b) { return b.sign() > 0; };
-  if (std::all_of(bernstein.begin(), bernstein.end(), positive)) return true;
-  if (!positive(bernstein.front()) || !positive(bernstein.back())) return false;
+  const std::vector<int> signs = bernstein_signs(p);
+  const auto positive = [](int sign) { return sign > 0; };
+  if (std::all_of(signs.begin(), signs.end(), positive)) return true;
+  if (!positive(signs.front()) || !positive(signs.back())) return false;
   return roots_in_unit_interval(p).empty();
 }
 

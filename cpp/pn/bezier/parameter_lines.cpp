@@ -373,12 +373,18 @@ class Planner {
   void plan_region() {
     const auto& region = std::get<BoundedRegion>(chain_.extent);
     const RegionCircles circles = region_circles(region, estimates_.front());
-    for (const RegionAttempt& attempt : kRegionAttempts) {
+    const auto plan = [&](const RegionAttempt& attempt) {
       target_ = std::make_unique<RegionLines>(estimates_.front(), circles, attempt.arc(circles),
                                               attempt.margin);
       segments_ = region_parts(circles, std::min(attempt.lines_degree, room(0)));
+    };
+    // Whole circles have constant lines: there is nothing to try.
+    if (circles.boundary.empty()) return plan(kRegionAttempts.front());
+    for (const RegionAttempt& attempt : kRegionAttempts) {
+      plan(attempt);
       do {
-        if (is_region_covered(circles.boundary)) return;
+        // Around whole circles lines are constant, and there is nothing else to try.
+        if (circles.boundary.empty() || is_region_covered(circles.boundary)) return;
       } while (halve_bad_segments(attempt.halvings));
     }
     throw GeometryError(ErrorCode::kWeightsNotPositive,
@@ -482,9 +488,9 @@ class Planner {
     for_each_index(segments_.size(), [&](std::size_t i) {
       const Carrier<double> carrier = estimated_carrier(segments_[i]);
       const auto w = isotropic_vector<double>(lined<double>(spinors[i], factors[i]));
-      const WeightRange weights = weight_range(sections(carrier, w).weight, band);
-      const bool is_even = weights.least > least_weight_ratio * weights.largest;
       const auto& rulings = std::get<RulingForms<double>>(carrier);
+      const WeightRange weights = weight_range(section_weight(rulings, w), band);
+      const bool is_even = weights.least > least_weight_ratio * weights.largest;
       bad_[i] = !is_even || !reaches(directrix_forms(rulings, w));
     });
     return std::none_of(bad_.begin(), bad_.end(), [](char bad) { return bad != 0; });

@@ -149,12 +149,14 @@ std::vector<SurfacePoint> PNSurface::evaluate(const std::vector<double>& t,
   }
   const auto rounded = section(Lines::kEven);
   const std::vector<BSplineSurface> normals = rounded->net->normals();
+  std::vector<SurfaceEvaluation> points_of, normals_of;
+  for (const RoundedFace& face : rounded->faces) points_of.emplace_back(face.surface);
+  for (const BSplineSurface& face : normals) normals_of.emplace_back(face);
   std::vector<SurfacePoint> result;
   result.reserve(t.size());
   for (std::size_t i = 0; i < t.size(); ++i) {
     const std::size_t face = rounded->face_at(t[i], v[i]);
-    result.push_back({pn::evaluate(rounded->faces[face].surface, t[i], v[i]),
-                      pn::evaluate(normals[face], t[i], v[i])});
+    result.push_back({points_of[face](t[i], v[i]), normals_of[face](t[i], v[i])});
   }
   return result;
 }

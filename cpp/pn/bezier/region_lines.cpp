@@ -65,7 +65,7 @@ class AngleWalk {
 
  private:
   void walk(std::vector<Step>& steps, double to) const {
-    constexpr double kLargestTurn = 0.2, kShortest = 1e-10;
+    constexpr double kLargestTurn = 0.05, kShortest = 1e-10;
     const Step from = steps.back();
     Step next = at(to);
     const double turn = std::remainder(next.angle - from.angle, M_PI);
@@ -199,7 +199,8 @@ double last_whole_circle(const IsotropicHypersurface<double>& gamma, double low,
   return high;
 }
 
-/// Beside the larger part of the circle a gap of this width leaves the smaller one even enough.
+/// Lines over arcs stay even beside a gap of this width in the directions that a region takes; with
+/// less, whole circles are better where they can be had.
 constexpr double kWideGap = 1;
 
 /// The first circle beyond which the boundary leaves a wide gap, `last` if none does.
@@ -212,9 +213,6 @@ double first_with_wide_gap(const std::vector<BoundaryPlace>& places, double low,
   return last;
 }
 
-/// Arcs of more than this leave no room for lines beside them; such a region takes whole circles
-/// where it can.
-constexpr double kWidestArc = M_PI - 0.5;
 /// The least arc that lines are spread over, as a part of the widest one: where a region ends in a
 /// corner.
 constexpr double kLeastArc = 0.1;
@@ -269,6 +267,9 @@ std::vector<BoundaryPlace> upside_down(std::vector<BoundaryPlace> places) {
   return places;
 }
 
+/// Places of the boundary lie no farther apart, as a part of the extent in t.
+constexpr double kBeforeSplit = 0.02;
+
 GeometryError too_far() {
   return {ErrorCode::kRegionUnsupported,
           "The region reaches too far beyond the umbilics of the hyperboloid, to where its points "
@@ -289,6 +290,8 @@ bool is_bounded_by_parallels(const BoundedRegion& region) {
 
 RegionCircles region_circles(const BoundedRegion& region,
                              const IsotropicHypersurface<double>& gamma) {
+  // Only a closed surface has no boundary.
+  if (region.loops.empty()) return {0, 1, true, {}, {}};
   const auto loops = walks(region, gamma.spinor);
   const std::vector<BoundaryPlace> everywhere = places_on(loops);
   Hull t;
@@ -297,14 +300,19 @@ RegionCircles region_circles(const BoundedRegion& region,
   RegionCircles circles;
   circles.low = region.has_first_pole ? 0 : std::max(t.low, kAtPole);
   circles.high = region.has_last_pole ? 1 : std::min(t.high, 1 - kAtPole);
-  const double whole = last_whole_circle(gamma, circles.low, circles.high);
+  // A closed surface has no points at infinity.
+  const double whole =
+      everywhere.empty() ? circles.high : last_whole_circle(gamma, circles.low, circles.high);
   const bool surrounds = region.has_first_pole || region.has_last_pole ||
                          std::any_of(loops.begin(), loops.end(), winds);
-  const bool has_gap = !everywhere.empty() && widest_gap(everywhere).width() > M_PI - kWidestArc;
+  const bool has_gap = widest_gap(everywhere).width() > kWideGap;
   circles.is_closed = surrounds || (!has_gap && whole == circles.high);
   if (circles.is_closed && whole == circles.high) return circles;
   if (circles.is_closed) circles.split = first_with_wide_gap(everywhere, circles.low, whole);
-  const auto places = from(everywhere, circles.split.value_or(0));
+  if (circles.split == circles.low) throw too_far();
+  // The boundary crosses the split between two places: that before it belongs to the arcs, too.
+  const double before_split = kBeforeSplit * (circles.high - circles.low);
+  const auto places = from(everywhere, circles.split.value_or(0) - before_split);
   const Hull gap = widest_gap(places);
   if (gap.width() < kLeastArc) throw too_far();
   circles.boundary = beyond_gap(places, gap);

@@ -110,11 +110,9 @@ NormalPlane ruling_plane(const RulingForms<double>& f, double t) {
 
 /// <(n, 1), c'> = 0 for a curve of spheres c.
 NormalPlane motion_plane(const SphereCurveForms<double>& c, double t) {
-  const double q = c.denominator(t), rate = c.denominator.derivative()(t) / q;
-  const std::array<Form<double>, 3> slope = {c.centre[0].derivative(), c.centre[1].derivative(),
-                                             c.centre[2].derivative()};
-  return {(value(slope, t) - rate * value(c.centre, t)) / q,
-          (c.radius.derivative()(t) - rate * c.radius(t)) / q};
+  const double q = c.denominator(t), rate = c.denominator.slope(t) / q;
+  const Vector3d slope(c.centre[0].slope(t), c.centre[1].slope(t), c.centre[2].slope(t));
+  return {(slope - rate * value(c.centre, t)) / q, (c.radius.slope(t) - rate * c.radius(t)) / q};
 }
 
 NormalPlane mean(const NormalPlane& a, const NormalPlane& b, double v) {

@@ -15,7 +15,10 @@
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <gp_Pln.hxx>
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "pn/occt/occt_error.hpp"
@@ -69,21 +72,28 @@ gp_Pln plane_of(const std::vector<Leg>& polygon) {
   return gp_Pln(centre, gp_Dir(area));
 }
 
-// A curve with positive weights stays in the convex hull of its poles: when they are near the
-// plane, so is the curve.
-bool lies_in(const gp_Pln& plane, const std::vector<Leg>& polygon) {
-  return std::all_of(polygon.begin(), polygon.end(), [&](const Leg& leg) {
-    return plane.Distance(leg.start) <= Precision::Confusion();
-  });
+// A curve with positive weights stays in the convex hull of its poles: it is no further from the
+// plane than they are.
+double distance_from(const gp_Pln& plane, const std::vector<Leg>& polygon) {
+  double distance = 0;
+  for (const Leg& leg : polygon) distance = std::max(distance, plane.Distance(leg.start));
+  return distance;
+}
+
+std::string not_flat(double distance) {
+  std::ostringstream sentence;
+  sentence << "An open end of the surface is not flat: it leaves its plane by up to "
+           << std::setprecision(3) << distance
+           << " mm, so no face closes it. A wall between two offsets needs none.";
+  return sentence.str();
 }
 
 // The planar face to the left of `boundary`.
 TopoDS_Face cap(const TopoDS_Wire& boundary) {
   const std::vector<Leg> polygon = control_polygon(boundary);
   const gp_Pln plane = plane_of(polygon);
-  if (!lies_in(plane, polygon)) {
-    throw std::invalid_argument("A free boundary of the shell is not planar: it cannot be capped.");
-  }
+  const double distance = distance_from(plane, polygon);
+  if (distance > Precision::Confusion()) throw std::invalid_argument(not_flat(distance));
   const BRep_Builder builder;
   TopoDS_Face face;
   builder.MakeFace(face, new Geom_Plane(plane), Precision::Confusion());

@@ -5,11 +5,12 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
-#include <optional>
+#include <map>
 #include <stdexcept>
 
 #include "pn/occt/bspline_geometry.hpp"
@@ -54,13 +55,15 @@ std::vector<std::vector<EdgeUse>> edge_uses(const std::vector<FaceBoundary>& fac
   return uses;
 }
 
-// Orientations of the faces such that neighbours run their common edge in opposite directions; the
-// first face is forward. Walks from face to face over the edges.
-std::vector<TopAbs_Orientation> consistent_orientations(
-    const std::vector<FaceBoundary>& faces, const std::vector<std::vector<EdgeUse>>& uses) {
-  std::vector<std::optional<TopAbs_Orientation>> orientations(faces.size());
-  orientations[0] = TopAbs_FORWARD;
-  std::vector<std::size_t> reached = {0};
+// Faces that hang together, each with its orientation.
+using Part = std::map<std::size_t, TopAbs_Orientation>;
+
+// The faces that hang together with `first`, which is forward, such that neighbours run their
+// common edge in opposite directions. Walks from face to face over the edges.
+Part part_around(std::size_t first, const std::vector<FaceBoundary>& faces,
+                 const std::vector<std::vector<EdgeUse>>& uses) {
+  Part part = {{first, TopAbs_FORWARD}};
+  std::vector<std::size_t> reached = {first};
   for (std::size_t next = 0; next < reached.size(); ++next) {
     const std::size_t face = reached[next];
     for (const Run& run : runs(faces[face])) {
@@ -68,22 +71,28 @@ std::vector<TopAbs_Orientation> consistent_orientations(
       if (use.size() < 2) continue;
       const std::size_t neighbour = use[0].face == face ? use[1].face : use[0].face;
       const bool opposite = use[0].orientation != use[1].orientation;
-      const TopAbs_Orientation needed =
-          opposite ? *orientations[face] : TopAbs::Reverse(*orientations[face]);
-      if (!orientations[neighbour]) {
-        orientations[neighbour] = needed;
-        reached.push_back(neighbour);
-      } else if (*orientations[neighbour] != needed) {
+      const TopAbs_Orientation needed = opposite ? part[face] : TopAbs::Reverse(part[face]);
+      const auto [entry, is_new] = part.emplace(neighbour, needed);
+      if (is_new) reached.push_back(neighbour);
+      if (entry->second != needed) {
         throw std::invalid_argument("The faces form a one-sided surface.");
       }
     }
   }
-  if (reached.size() < faces.size()) {
-    throw std::invalid_argument("The faces do not hang together by common edges.");
+  return part;
+}
+
+// Every face belongs to one part.
+std::vector<Part> separate_parts(const std::vector<FaceBoundary>& faces,
+                                 const std::vector<std::vector<EdgeUse>>& uses) {
+  std::vector<Part> parts;
+  for (std::size_t face = 0; face < faces.size(); ++face) {
+    const auto contains_face = [face](const Part& part) { return part.count(face) > 0; };
+    if (std::none_of(parts.begin(), parts.end(), contains_face)) {
+      parts.push_back(part_around(face, faces, uses));
+    }
   }
-  std::vector<TopAbs_Orientation> result;
-  for (const auto& orientation : orientations) result.push_back(*orientation);
-  return result;
+  return parts;
 }
 
 // Hands the p-curves of a face to its edges. An edge that the face runs twice is a seam:
@@ -125,34 +134,52 @@ TopoDS_Face make_face(const SurfaceHandle& surface, const FaceBoundary& boundary
   return face;
 }
 
-TopoDS_Shell build_shell(const std::vector<BSplineSurface>& surfaces) {
-  // P-curves belong to a surface handle: every face has its own.
-  std::vector<SurfaceHandle> geometries;
-  for (const BSplineSurface& surface : surfaces) geometries.push_back(to_geometry(surface));
-  SharedEdges shared;
-  std::vector<FaceBoundary> faces;
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    faces.push_back(shared.add(surfaces[i], geometries[i]));
-  }
-  const std::vector<TopoDS_Edge> edges = shared.topology();
-  const auto orientations = consistent_orientations(faces, edge_uses(faces, edges.size()));
-
+TopoDS_Shell shell_of(const std::vector<TopoDS_Face>& faces) {
   const BRep_Builder builder;
   TopoDS_Shell shell;
   builder.MakeShell(shell);
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    builder.Add(shell, make_face(geometries[i], faces[i], edges).Oriented(orientations[i]));
-  }
+  for (const TopoDS_Face& face : faces) builder.Add(shell, face);
   shell.Closed(BRep_Tool::IsClosed(shell));
   BRepLib::EncodeRegularity(shell, kSmoothAngle);
   return shell;
 }
 
+std::vector<TopoDS_Shell> build_shells(const std::vector<BSplineSurface>& surfaces) {
+  // P-curves belong to a surface handle: every face has its own.
+  std::vector<SurfaceHandle> geometries;
+  for (const BSplineSurface& surface : surfaces) geometries.push_back(to_geometry(surface));
+  SharedEdges shared;
+  std::vector<FaceBoundary> boundaries;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    boundaries.push_back(shared.add(surfaces[i], geometries[i]));
+  }
+  const std::vector<TopoDS_Edge> edges = shared.topology();
+
+  std::vector<TopoDS_Shell> shells;
+  for (const Part& part : separate_parts(boundaries, edge_uses(boundaries, edges.size()))) {
+    std::vector<TopoDS_Face> faces;
+    for (const auto& [i, orientation] : part) {
+      const TopoDS_Face face = make_face(geometries[i], boundaries[i], edges);
+      faces.push_back(TopoDS::Face(face.Oriented(orientation)));
+    }
+    shells.push_back(shell_of(faces));
+  }
+  return shells;
+}
+
 }  // namespace
 
-TopoDS_Shell make_shell(const std::vector<BSplineSurface>& surfaces) {
+std::vector<TopoDS_Shell> make_shells(const std::vector<BSplineSurface>& surfaces) {
   if (surfaces.empty()) throw std::invalid_argument("A shell needs at least one surface.");
-  return with_occt_errors([&] { return build_shell(surfaces); });
+  return with_occt_errors([&] { return build_shells(surfaces); });
+}
+
+TopoDS_Shell make_shell(const std::vector<BSplineSurface>& surfaces) {
+  const std::vector<TopoDS_Shell> shells = make_shells(surfaces);
+  if (shells.size() > 1) {
+    throw std::invalid_argument("The faces do not hang together by common edges.");
+  }
+  return shells.front();
 }
 
 }  // namespace pn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A shell of B-spline faces whose neighbours share their edges.
+// Shells of B-spline faces whose neighbours share their edges.
 #pragma once
 
 #include <TopoDS_Shell.hxx>
@@ -9,7 +9,10 @@
 
 namespace pn {
 
-/// One face for each surface, within its trims, joined wherever two sides coincide.
+/// A shell for each set of surfaces that hang together by edges, in the order of their first
+/// surfaces.
+///
+/// There is one face for each surface, within its trims, joined wherever two sides coincide.
 ///
 /// - Two sides, or pieces of sides, are one edge when they coincide in either direction
 ///   (boundary.hpp); the two may belong to one surface, which is then closed and has a seam.
@@ -19,13 +22,18 @@ namespace pn {
 /// - Sides are exact; trims inside a surface belong to its face alone and lie within 1e-9 mm of it,
 ///   which `trim_deviation` measures (curve_on_surface.hpp).
 ///
-/// Faces point along S_u x S_v; where two neighbours disagree, the later one is reversed. The shell
+/// Faces point along S_u x S_v; where two neighbours disagree, the later one is reversed. A shell
 /// is marked closed when no edge is free. An edge is marked as smooth as its faces are there.
 /// Tolerances are OpenCASCADE's smallest, 1e-7.
 ///
-/// Throws std::invalid_argument when there is no surface, when the faces do not hang together by
-/// edges, when more than two meet at an edge, or when the shell would be one-sided; as to_geometry
-/// does for a surface that is none and boundary_loops for trims that bound nothing.
+/// Throws std::invalid_argument when there is no surface, when more than two faces meet at an edge,
+/// or when a shell would be one-sided; as to_geometry does for a surface that is none and
+/// boundary_loops for trims that bound nothing.
+std::vector<TopoDS_Shell> make_shells(const std::vector<BSplineSurface>& surfaces);
+
+/// The one shell of surfaces that hang together.
+///
+/// Throws std::invalid_argument when they do not, and as make_shells does.
 TopoDS_Shell make_shell(const std::vector<BSplineSurface>& surfaces);
 
 }  // namespace pn

@@ -61,10 +61,8 @@ TopoDS_Solid build_thick_solid(const TopoDS_Shell& inner, const TopoDS_Shell& ou
   return solid;
 }
 
-bool have_equal_structure(const BSplineSurface& a, const BSplineSurface& b) {
-  return a.u_degree == b.u_degree && a.v_degree == b.v_degree && a.u_knots == b.u_knots &&
-         a.v_knots == b.v_knots && a.u_multiplicities == b.u_multiplicities &&
-         a.v_multiplicities == b.v_multiplicities;
+bool have_equal_structure(const BoundaryCurve& a, const BoundaryCurve& b) {
+  return a.degree == b.degree && a.knots == b.knots && a.multiplicities == b.multiplicities;
 }
 
 // The ruled surface between two curves over the same knots.
@@ -77,47 +75,45 @@ BSplineSurface ruled_surface(const BoundaryCurve& a, const BoundaryCurve& b) {
   return surface;
 }
 
-// Which sides of untrimmed faces belong to one face only.
-class FreeSides {
- public:
-  explicit FreeSides(const std::vector<BSplineSurface>& surfaces) {
-    SharedEdges edges;
-    for (const BSplineSurface& surface : surfaces) {
-      faces_.push_back(edges.add(surface, to_geometry(surface)).front());
-    }
-    counts_.resize(edges.topology().size());
-    for (const auto& face : faces_) {
-      for (const Run& run : face) ++counts_[run.edge];
-    }
-  }
-
-  bool contains(std::size_t face, std::size_t side) const {
-    return counts_[faces_[face][side].edge] == 1;
-  }
-
- private:
-  std::vector<std::vector<Run>> faces_;
-  std::vector<int> counts_;
-};
-
 // The whole side of a face that has no trims.
 BoundaryCurve side_curve(const BSplineSurface& surface, std::size_t side) {
   return std::get<SidePiece>(boundary_loops(surface).front()[side]).curve;
 }
 
+// The sides of untrimmed faces that belong to one face only: of every first side those in the order
+// of the faces, then of every second. So the ends of a pipe come in the same order, however many
+// faces it has.
+std::vector<BoundaryCurve> free_sides(const std::vector<BSplineSurface>& surfaces) {
+  SharedEdges edges;
+  std::vector<std::vector<Run>> faces;
+  for (const BSplineSurface& surface : surfaces) {
+    faces.push_back(edges.add(surface, to_geometry(surface)).front());
+  }
+  std::vector<int> counts(edges.topology().size());
+  for (const auto& face : faces) {
+    for (const Run& run : face) ++counts[run.edge];
+  }
+  std::vector<BoundaryCurve> result;
+  for (std::size_t side = 0; side < 4; ++side) {
+    for (std::size_t face = 0; face < faces.size(); ++face) {
+      if (counts[faces[face][side].edge] == 1) result.push_back(side_curve(surfaces[face], side));
+    }
+  }
+  return result;
+}
+
 // The ruled surfaces along the free sides. Between two points there is none.
 std::vector<BSplineSurface> walls(const std::vector<BSplineSurface>& inner,
                                   const std::vector<BSplineSurface>& outer) {
-  const FreeSides free_sides(inner);
+  const std::vector<BoundaryCurve> starts = free_sides(inner);
+  const std::vector<BoundaryCurve> ends = free_sides(outer);
+  if (!std::equal(starts.begin(), starts.end(), ends.begin(), ends.end(), have_equal_structure)) {
+    throw std::invalid_argument("The free sides of the two open shells do not correspond.");
+  }
   std::vector<BSplineSurface> result;
-  for (std::size_t face = 0; face < inner.size(); ++face) {
-    for (std::size_t side = 0; side < 4; ++side) {
-      const BoundaryCurve start = side_curve(inner[face], side);
-      const BoundaryCurve end = side_curve(outer[face], side);
-      if (!free_sides.contains(face, side) || (is_degenerate(start) && is_degenerate(end)))
-        continue;
-      result.push_back(ruled_surface(start, end));
-    }
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    if (is_degenerate(starts[i]) && is_degenerate(ends[i])) continue;
+    result.push_back(ruled_surface(starts[i], ends[i]));
   }
   return result;
 }
@@ -148,9 +144,6 @@ TopoDS_Solid make_thick_solid(const std::vector<BSplineSurface>& inner,
   const TopoDS_Shell outer_shell = make_shell(outer);
   if (inner_shell.Closed() || outer_shell.Closed()) {
     return make_thick_solid(inner_shell, outer_shell);
-  }
-  if (!std::equal(inner.begin(), inner.end(), outer.begin(), outer.end(), have_equal_structure)) {
-    throw std::invalid_argument("The faces of the two open shells do not correspond.");
   }
   return with_occt_errors([&] { return walled_solid(inner, outer); });
 }

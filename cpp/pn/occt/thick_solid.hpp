@@ -22,15 +22,15 @@ namespace pn {
 /// inside `outer`.
 TopoDS_Solid make_thick_solid(const TopoDS_Shell& inner, const TopoDS_Shell& outer);
 
-/// The solid between two shells of as many faces, each face of `inner` with its counterpart at the
-/// same place of `outer`: two offsets of one surface.
+/// The solid between two shells with as many free sides, each of `inner` with its counterpart at
+/// the same place of `outer`: two offsets of one surface, or two pipes around one spine.
 ///
 /// Closed shells make a solid with a void, as above. Open ones are joined by walls, one along every
 /// free side: the ruled surface that joins points of equal parameter, exact, of degree 1 across.
 /// Neighbouring walls share their rulings. The faces come in the order inner, outer, walls.
 ///
-/// Throws std::invalid_argument when counterparts differ in degree, knots or multiplicities, when
-/// a face of open shells is trimmed, and as make_shell does.
+/// Throws std::invalid_argument when free sides that correspond differ in degree, knots or
+/// multiplicities, when a face of open shells is trimmed, and as make_shell does.
 TopoDS_Solid make_thick_solid(const std::vector<BSplineSurface>& inner,
                               const std::vector<BSplineSurface>& outer);
 
