@@ -58,7 +58,7 @@ class ExportStepTest(GuiTest):
             header = file.read(1000)
         # The name of AP214 in STEP.
         self.assertIn("AUTOMOTIVE_DESIGN", header)
-        self.assertEqual(preferences.export_path("next.step"), os.path.join(folder.name, "next.step"))
+        self.assertEqual(preferences.export_path("b.step"), os.path.join(folder.name, "b.step"))
         (line,) = [c for c in main_window.recorded_commands()[since:] if "export_step" in c]
         self.assertIn("schema='AP214', parametric_curves=True", line)
         os.remove(path)

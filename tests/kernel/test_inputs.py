@@ -136,7 +136,7 @@ def test_spans_of_a_curve_are_the_curve():
     radius, weight = 5.0, np.sqrt(0.5)
     arc = pn.Curve.bspline(
         2, [1, 3, 4], [3, 2, 3],
-        [[radius, 0, 0], [radius, radius, 0], [0, radius, 0], [-radius, radius, 0], [-radius, 0, 0]],
+        radius * np.array([[1, 0, 0], [1, 1, 0], [0, 1, 0], [-1, 1, 0], [-1, 0, 0]]),
         [1, weight, 1, weight, 1],
     )
     spans = arc.spans

@@ -103,7 +103,32 @@ class Truth(Certificates):
         (section,) = entry["sections"]
         self.assertFalse(section["regular"])
         self.assertLess(section["sampling"]["worst"], ROUNDING)
-        self.assertIn("not excluded", as_markdown(pnsurfaces.certificate([self.document.ActiveObject])))
+        text = as_markdown(pnsurfaces.certificate([self.document.ActiveObject]))
+        self.assertIn("not excluded", text)
+
+    def test_both_sides_of_a_hollow_pipe(self):
+        spine = self.spline_object()
+        for hollow, distances in (
+            ({"Hollow": "Wall thickness", "WallThickness": 0.5}, [-0.25, 0.25]),
+            ({"Hollow": "Inner radius", "InnerRadius": 1}, [0, 0.25]),
+        ):
+            pipe = make_canal_surface(spine, (2, 3.5), 0.25, Output="Solid", **hollow)
+            entry = self.entry(pipe)
+            self.assertEqual([s["distance"] for s in entry["sections"]], distances)
+            for section in entry["sections"]:
+                self.assertTrue(section["regular"])
+                self.assertLess(section["sampling"]["worst"], ROUNDING)
+
+    def test_fits_count(self):
+        helix = make_canal_surface(self.shape_object(Part.makeHelix(10, 20, 5)), 1, 0.5)
+        entry = self.entry(helix)
+        self.assertFalse(entry["exact"])
+        self.assertGreater(entry["fit_deviation"], 0)
+        (section,) = entry["sections"]
+        self.assertLessEqual(entry["fit_deviation"] + section["deviation"], helix.DeviationBound)
+        self.assertIn("Deviation in all", as_markdown(pnsurfaces.certificate([helix])))
+        # The sample is against what was fitted.
+        self.assertLess(section["sampling"]["worst"], ROUNDING)
 
     def test_what_was_fitted(self):
         egg = Part.makeSphere(10).toNurbs()

@@ -105,7 +105,8 @@ class Lines(DocumentTest):
 
     def test_lines_of_a_cut_face_end_on_its_boundary(self):
         region = {"x": (-3, 6), "y": (-5, 5)}
-        face = make_quadric_offset("Hyperbolic paraboloid", 30, 20, 10, bounds=region).Shape.Faces[0]
+        saddle = make_quadric_offset("Hyperbolic paraboloid", 30, 20, 10, bounds=region)
+        (face,) = saddle.Shape.Faces
         grid = face_grid(face)
         for axis in (0, 1):
             ends = [line[[0, -1]] for line in lines(grid, axis, 7, 5)]

@@ -39,10 +39,11 @@ _TEETH = 65
 # The longest tooth of all combs, as part of the size of the shape.
 _TOOTH = 0.15
 
-# A scale ends at so many times its median: near a singular point curvature has no bound.
-_LARGEST_RATIO = 20
+# A scale ends at so many times what nine tenths of the points stay below: near a singular point
+# curvature has no bound.
+_MOST, _LARGEST_RATIO = 90, 10
 
-# The radii of a map differ by a factor between these: less would show noise, more is as good as flat.
+# The radii of a map differ by a factor between these: less would show noise, more is flat.
 _LEAST_SPAN, _LARGEST_SPAN = 1.5, 1000
 
 _EDGE_COLOUR = (0.1, 0.1, 0.1)
@@ -51,6 +52,9 @@ _NET_COLOUR = (0.75, 0.2, 0.6)
 _COMB_COLOUR = (0.05, 0.45, 0.25)
 _WHITE = (1.0, 1.0, 1.0)
 _POINTS_OF_EDGE = 60
+
+# Of the triangles of faces on no B-spline, as part of their size.
+_DEFLECTION = 1e-3
 
 
 class Analysis:
@@ -70,7 +74,9 @@ class Analysis:
         self.update()
 
     def has_legend(self):
-        return not self.shown.isdisjoint({CURVATURE, GAUSS})
+        """Whether a legend of it is in the view."""
+        is_coloured = not self.shown.isdisjoint({CURVATURE, GAUSS})
+        return is_coloured and self._view_object.Visibility
 
     def update(self):
         """Draws anew, after the shape or the colour has changed."""
@@ -109,7 +115,9 @@ class _Picture:
         self._view_object = view_object
         self._shown = shown
         self._shape = own_shape(view_object.Object)
-        self._grids = [grid for grid in map(face_grid, self._shape.Faces) if grid]
+        grids = [(face, face_grid(face)) for face in self._shape.Faces]
+        self._grids = [grid for _, grid in grids if grid]
+        self._others = [face for face, grid in grids if not grid]
         share = min(1, np.sqrt(_FACES_IN_FULL / max(1, len(self._grids))))
         rows, columns = (max(_LEAST_ROWS, int(share * count)) for count in (_ROWS, _COLUMNS))
         self._patches = [
@@ -118,6 +126,8 @@ class _Picture:
 
     def nodes(self):
         yield from self._faces()
+        for face in self._others:
+            yield nodes.triangles(*_triangles(face), self._view_object.ShapeColor[:3])
         yield nodes.lines(_edges(self._shape), _EDGE_COLOUR, self._view_object.LineWidth)
         for name, layer in (
             (PARAMETER_LINES, self._parameter_lines),
@@ -217,19 +227,18 @@ class _Picture:
             comb
             for grid in self._grids
             for axis in (0, 1)
-            for comb in combs(grid, lines(grid, axis, _LINES_WITH_COMBS, _TEETH))
+            for comb in combs(grid, _thinned(lines(grid, axis, _LINES_WITH_COMBS, _TEETH)))
         ]
+        roots = [points for points, _, _ in every]
         largest = _top([np.abs(curvature) for _, _, curvature in every])
-        size = np.linalg.norm(np.ptp(np.concatenate([points for points, _, _ in every]), axis=0))
+        size = np.linalg.norm(np.ptp(np.concatenate(roots), axis=0))
         reach = _TOOTH * size / largest
         # Teeth stand on the outside of the bend.
         tips = [
             points - reach * np.clip(curvature, -largest, largest)[:, None] * normals
             for points, normals, curvature in every
         ]
-        teeth = [
-            np.array(tooth) for (points, _, _), tip in zip(every, tips) for tooth in zip(points, tip)
-        ]
+        teeth = np.stack([np.concatenate(roots), np.concatenate(tips)], axis=1)
         yield nodes.lines(teeth, _COMB_COLOUR)
         yield nodes.lines(tips, _COMB_COLOUR, 2.0)
 
@@ -239,13 +248,24 @@ def _along(grid, line):
     return points_at(grid.surface, line[:, 0], line[:, 1:])[:, 0]
 
 
+def _thinned(every):
+    """Of many lines, as a surface of many spans has them, as many as a picture can bear."""
+    return every[:: max(1, len(every) // _LINES)]
+
+
 def _top(values):
     """The end of a scale for arrays of values >= 0; 1 where all are zero."""
     every = np.concatenate([value.ravel() for value in values])
     positive = every[every > 0]
     if not positive.size:
         return 1.0
-    return min(positive.max(), _LARGEST_RATIO * np.median(positive))
+    return min(positive.max(), _LARGEST_RATIO * np.percentile(positive, _MOST))
+
+
+def _triangles(face):
+    """Points (n, 3) and corners (t, 3) of triangles of a face on no B-spline, such as a flat end."""
+    points, corners = face.tessellate(_DEFLECTION * face.BoundBox.DiagonalLength)
+    return np.array([tuple(point) for point in points]), np.array(corners)
 
 
 def _edges(shape):

@@ -16,15 +16,15 @@ SIGNED = np.array([[0.1, 0.3, 0.8], [0.55, 0.7, 0.95], [0.95, 0.95, 0.92], [0.97
 _STRIPES = 16
 _PIXELS_OF_STRIPE = 16
 
-# The legend in a window from -1 to 1 in both directions: left, right, bottom and top of its bar, and
-# the step to the next legend.
+# The legend in a window from -1 to 1 in both directions: left, right, bottom and top of its bar,
+# the step to the next legend and that to the next line.
 _LEGEND = (-0.97, -0.935, -0.9, -0.35)
 _NEXT_LEGEND = 0.48
 _LINE_OF_TEXT = 0.06
 
-# A shape's own triangles are up to a thousandth of its size off the surface: this is twice as much
-# of the depth of a view, in units of a buffer of 24 bits.
-_UNITS_BEHIND = 2e-3 * 2**24
+# A shape's own triangles are up to a thousandth of the size of its poles off the surface, which may
+# be ten times its own: a few times as much of the depth of a view, in units of a buffer of 24 bits.
+_UNITS_BEHIND = 0.05 * 2**24
 
 _TEXT_SIZE = 14
 _INK = (0.1, 0.1, 0.1)
@@ -57,6 +57,14 @@ def surface(points, normals, colour):
     return group(
         *_facing(), _coordinates(points), _normals(normals), _material(colour), binding, mesh
     )
+
+
+def triangles(points, corners, colour):
+    """Flat triangles with these corners (t, 3), numbers of points (n, 3)."""
+    faces = coin.SoIndexedFaceSet()
+    indices = np.insert(corners, 3, -1, axis=1).ravel()
+    faces.coordIndex.setValues(0, len(indices), indices.tolist())
+    return group(*_facing(), _coordinates(points), _material(colour), faces)
 
 
 def zebra():
@@ -175,7 +183,7 @@ def _in_front(*children):
 
 
 def _facing():
-    """Lights both sides of surfaces, and moves them a little back so that lines on them are seen."""
+    """Lights both sides of surfaces, and moves them back a little so that lines are seen."""
     hints = coin.SoShapeHints()
     hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
     hints.shapeType = coin.SoShapeHints.UNKNOWN_SHAPE_TYPE

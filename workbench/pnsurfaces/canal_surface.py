@@ -183,6 +183,13 @@ def read_spheres(obj):
     return spine.curve, radius_law(obj, spine).kernel_law()
 
 
+def read_bore(obj):
+    """The same of the bore of a feature CanalSurface; None when it has none of its own radius."""
+    if obj.Hollow != BORE:
+        return None
+    return _spine(obj).curve, kernel.pnkernel().Law.constant(obj.InnerRadius.Value)
+
+
 def make_canal_surface(spine, radius, distance=0, *, document=None, name="CanalSurface",
                        **properties):
     """A canal surface in the tree, computed. Lengths are millimetres or strings with a unit.

@@ -2,8 +2,8 @@
 """The certificate of exact surfaces: what is proved of them, and what was measured besides.
 
 A certificate is plain data, so that it can be kept as JSON. Lengths are millimetres; None stands
-for an infinite limit. What is proved comes from the kernel, what is measured from the doubles of the
-shape in the document, by routes that share nothing with the construction.
+for an infinite limit. What is proved comes from the kernel, what is measured from the doubles of
+the shape in the document, by routes that share nothing with the construction.
 """
 
 import datetime
@@ -17,7 +17,7 @@ import Part
 
 from pnsurfaces import kernel
 from pnsurfaces.certificate_text import as_markdown
-from pnsurfaces.definition import definition_of
+from pnsurfaces.definition import definitions_of
 from pnsurfaces.face_grid import face_grid, patches
 from pnsurfaces.feature import FeatureBase
 from pnsurfaces.shape import own_shape, part_shape
@@ -106,8 +106,9 @@ def _of_object(obj, compare):
         "lines": obj.ParameterLines,
         "exact": sections.base.exact and all(c.exact for c in sections.certificates),
         "fitted": list(sections.base.notes),
+        "fit_deviation": sections.base.deviation,
         "regular_range": [_finite(low), _finite(high)],
-        "sections": _of_sections(obj, sections, low, high, compare),
+        "sections": _of_sections(obj, sections, compare),
         "shape": _of_shape(shape),
     }
 
@@ -123,11 +124,12 @@ def _why_not(obj):
     return ""
 
 
-def _of_sections(obj, sections, low, high, compare):
-    definition = definition_of(obj)
+def _of_sections(obj, sections, compare):
     reports = []
-    for surface, faces, proved in zip(*sections[1:]):
+    definitions = definitions_of(obj, len(sections.surfaces))
+    for definition, surface, faces, proved in zip(definitions, *sections[1:]):
         distance = surface.distance
+        low, high = surface.regular_range
         report = {
             "distance": distance,
             "regular": low < distance < high,

@@ -27,10 +27,19 @@ def _of_object(entry):
         ("Exact", "yes: rounding to doubles is all that deviates" if entry["exact"] else "no"),
         ("Regular distances", _range(*entry["regular_range"])),
         *(("Fitted", _escaped(note)) for note in entry["fitted"]),
+        *_rows_of_fits(entry),
         *_rows_of_shape(entry["shape"]),
     ]
     parts = [title, f"{shown[0].upper()}{shown[1:]}.", _table(("Object", ""), rows)]
     return "\n\n".join([*parts, *map(_of_section, entry["sections"])])
+
+
+def _rows_of_fits(entry):
+    """What fits add to the deviation of each section, if there are any."""
+    if entry["fit_deviation"]:
+        rounding = max(section["deviation"] for section in entry["sections"])
+        yield "Deviation by fits", f"{entry['fit_deviation']:.2g} mm"
+        yield "Deviation in all", f"{entry['fit_deviation'] + rounding:.2g} mm"
 
 
 def _rows_of_shape(shape):

@@ -196,7 +196,8 @@ class CertificateCommand:
             "MenuText": QT_TRANSLATE_NOOP("PNSurfaces_Certificate", "Certificate…"),
             "ToolTip": QT_TRANSLATE_NOOP(
                 "PNSurfaces_Certificate",
-                "Shows what is proved and measured of the selected surfaces, to read, copy and save",
+                "Shows what is proved and measured of the selected surfaces,"
+                " to read, copy and save",
             ),
         }
 

@@ -13,16 +13,20 @@ import numpy as np
 from pnsurfaces.face_grid import FaceGrid, Patch, patches
 from pnsurfaces.spline_grid import jet_at
 
-# The smallest radius is sought in ever smaller windows around the best point so far: points in a row
-# of a window, how much smaller the next one is (more than the step of this one), and their number,
-# which is when the curvature at a smooth maximum does not change any more.
+# The smallest radius is sought in ever smaller windows around the best point so far: points in a
+# row of a window, how much smaller the next one is (more than the step of this one), and their
+# number, which is when the curvature at a smooth maximum does not change any more.
 _WINDOW = 9
 _SHRINK = 0.4
 _ROUNDS = 16
 
-# A pole of the parametrization is looked at this part of the range beside it: as near as half of the
-# digits of a cross product allow.
-_NUDGE = 1e-5
+# Next to a pole of the parametrization, where the squared area of a frame is less than this part of
+# the usual one, curvature keeps less than six digits.
+_ILL_CONDITIONED = 1e-10
+
+# Instead it is looked at this part of the range beside the pole: far enough where the area vanishes
+# with the square of the distance.
+_NUDGE = 4e-3
 
 
 class CurvedPatch(NamedTuple):
@@ -61,7 +65,7 @@ def curved_patches(grid, rows, columns):
 
 
 def smallest_radius(curved):
-    """The SmallestRadius of CurvedPatches, found between their points too; inf when all are flat."""
+    """The SmallestRadius of CurvedPatches, between their points too; inf when all are flat."""
     curvature, point = _strongest_near(max(curved, key=lambda part: part.strongest().max()))
     return SmallestRadius(1 / curvature if curvature > 0 else np.inf, point)
 
@@ -113,7 +117,9 @@ def _curved(grid, patch):
             np.where(np.isnan(here), near, here)
             for here, near in zip((normals, least, greatest), beside[1:])
         )
-    return CurvedPatch(grid, patch, points, normals, least, greatest)
+    # Where a surface is singular beside its poles, too, nothing is said.
+    shown = (np.nan_to_num(values) for values in (normals, least, greatest))
+    return CurvedPatch(grid, patch, points, *shown)
 
 
 def _forms(grid, patch):
@@ -122,18 +128,27 @@ def _forms(grid, patch):
     normals = grid.side * jet.normals()
     e, f, g = (_dot(*pair) for pair in ((jet.u, jet.u), (jet.u, jet.v), (jet.v, jet.v)))
     l, m, n = (_dot(second, normals) for second in (jet.uu, jet.uv, jet.vv))
-    area = np.where(np.isnan(l), np.nan, e * g - f * f)
+    area = e * g - f * f
+    area = np.where(area > _ILL_CONDITIONED * _usual_area(grid.surface) ** 2, area, np.nan)
     mean = (e * n - 2 * f * m + g * l) / (2 * area)
     gauss = (l * n - m * m) / area
     spread = np.sqrt(np.maximum(mean**2 - gauss, 0))
     return jet.point, normals, mean - spread, mean + spread
 
 
+def _usual_area(surface):
+    """The area of a frame of a surface of this size whose speed is even."""
+    points = surface.poles[..., :3] / surface.poles[..., 3:]
+    size = np.linalg.norm(np.ptp(points.reshape(-1, 3), axis=0))
+    return size**2 / (np.ptp(surface.u_knots) * np.ptp(surface.v_knots))
+
+
 def _comb(grid, line):
     points, normals, curvature = _bend(grid, line)
     _, *beside = _bend(grid, _nudged(line))
     return points, *(
-        np.where(np.isnan(here), near, here) for here, near in zip((normals, curvature), beside)
+        np.nan_to_num(np.where(np.isnan(here), near, here))
+        for here, near in zip((normals, curvature), beside)
     )
 
 

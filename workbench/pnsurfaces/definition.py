@@ -19,9 +19,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pnsurfaces.canal_surface import CanalSurface, read_spheres
+from pnsurfaces.canal_surface import CanalSurface, read_bore, read_spheres
 from pnsurfaces.quadric_form import standard_equation
-from pnsurfaces.quadric_offset import AXES, KINDS, OF_FACE, QuadricOffset, read_face
+from pnsurfaces.quadric_offset import KINDS, OF_FACE, QuadricOffset, half_axes, read_face
 from pnsurfaces.ruled_offset import RuledOffset, read_curves
 
 # Parameters between which a root is looked for, on each span: more than the characteristic
@@ -46,6 +46,14 @@ def definition_of(obj):
     """The definition of a feature: Spheres, Rulings or Quadric; None for another object."""
     proxy = type(getattr(obj, "Proxy", None))
     return _DEFINITIONS[proxy](obj) if proxy in _DEFINITIONS else None
+
+
+def definitions_of(obj, count):
+    """The definitions of the `count` surfaces that a feature shows, the innermost first."""
+    bore = read_bore(obj) if isinstance(obj.Proxy, CanalSurface) else None
+    if bore:
+        return [_spheres(*bore), definition_of(obj)]
+    return [definition_of(obj)] * count
 
 
 class Spheres(NamedTuple):
@@ -194,7 +202,7 @@ def _of_block(family, points, distance):
 
 
 def _parameters(breaks):
-    """For each span its parameters (s, k), from before its start to beyond its end, and one inside."""
+    """Parameters (s, k) of each span, from before its start to beyond its end, and one inside."""
     first, width = breaks[:-1, None], np.diff(breaks)[:, None]
     inner = (np.arange(_PARAMETERS_OF_SPAN) + 0.5) / _PARAMETERS_OF_SPAN
     parts = np.concatenate([[-_BEYOND_END], inner, [1 + _BEYOND_END]])
@@ -236,8 +244,7 @@ def _length(a):
     return np.linalg.norm(a, axis=-1)
 
 
-def _spheres(obj):
-    spine, radius = read_spheres(obj)
+def _spheres(spine, radius):
     return Spheres(PiecewiseRational(spine.spans), PiecewiseRational(radius.spans_over(spine)))
 
 
@@ -252,8 +259,7 @@ def _quadric(obj):
     if obj.Kind == OF_FACE:
         found = read_face(obj)
         return Quadric(*standard_equation(found.kind, found.axes))
-    axes = [getattr(obj, name).Value for name in AXES]
-    return Quadric(*standard_equation(KINDS[obj.Kind].name, axes))
+    return Quadric(*standard_equation(KINDS[obj.Kind].name, half_axes(obj)))
 
 
-_DEFINITIONS = {CanalSurface: _spheres, RuledOffset: _rulings, QuadricOffset: _quadric}
+_DEFINITIONS = {CanalSurface: lambda obj: _spheres(*read_spheres(obj)), RuledOffset: _rulings, QuadricOffset: _quadric}

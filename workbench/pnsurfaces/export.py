@@ -16,7 +16,7 @@ def export_step(objects, path, schema="AP214", parametric_curves=True, progress=
 
     The file is read back and compared: number of faces, validity, areas and volume, and poles,
     weights and knots bit for bit. Only then it gets its name and replaces an older file, which
-    stays as it is after any failure. Returns a sentence on what was compared, which is also printed.
+    stays as it is after any failure. Returns a sentence on what was compared, and prints it.
 
     Parameters
     ----------

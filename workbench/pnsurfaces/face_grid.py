@@ -15,20 +15,23 @@ from pnsurfaces.spline_grid import spread, spline_surface
 # Points of a boundary curve; between them it is taken for straight, which is seen by nobody.
 _POINTS_OF_EDGE = 129
 
-# Points of a boundary curve at which it is looked whether it runs along a side.
+# A boundary curve runs along a side that it follows to this part of the range of parameters.
 _PARAMETRIC_CONFUSION = 1e-9
 
-# Lines where a cut face begins, ends or turns lie this part of its width beside it, where they cross
-# its boundary or do not.
+# Lines where a cut face begins, ends or turns lie this part of its width beside it, where they
+# cross its boundary or do not.
 _INSET = 1e-6
+
+# Lines beside those, as parts of a step.
+_CLOSER = np.array([1, 4, 9]) / 16
 
 
 class FaceGrid(NamedTuple):
     """A face of FreeCAD on a B-spline surface, prepared for grids.
 
     `sides` are its parameter range, ((u_first, u_last), (v_first, v_last)); `boundary` are the
-    segments (s, 2, 2) of its boundary, edge by edge, None where that is the sides themselves. `side`
-    is 1 where the face points along S_u x S_v, -1 where against it.
+    segments (s, 2, 2) of its boundary, edge by edge, None where that is the sides themselves.
+    `side` is 1 where the face points along S_u x S_v, -1 where against it.
     """
 
     surface: tuple
@@ -123,13 +126,18 @@ def _inset(values):
 
 
 def _with_turns(u, boundary):
-    """The parameters, and two about each at which the boundary turns back: there strips may end."""
+    """The parameters, and some about each at which the boundary turns back: there strips may end.
+
+    They are closer and closer there, since the boundary runs like a square root.
+    """
     steps = np.sign(boundary[:, 1, 0] - boundary[:, 0, 0])
     goes_on = (boundary[:-1, 1] == boundary[1:, 0]).all(axis=1) & (steps[:-1] == steps[1:])
     turns = np.concatenate([boundary[:1, 0, 0], boundary[-1:, 1, 0], boundary[:-1, 1, 0][~goes_on],
                             boundary[1:, 0, 0][~goes_on]])
-    inset = _INSET * (u[-1] - u[0])
-    return np.unique(np.concatenate([u, turns - inset, turns + inset]))
+    step = (u[-1] - u[0]) / (len(u) - 1)
+    beside = np.append(step * _CLOSER, _INSET * (u[-1] - u[0]))
+    near = np.add.outer(turns, np.concatenate([-beside, beside]))
+    return np.unique(np.concatenate([u, near.ravel()]))
 
 
 def _strips(u, boundary):

@@ -61,7 +61,7 @@ class Base(NamedTuple):
 
 
 class Sections(NamedTuple):
-    """What a feature shows: its Base and, for each distance, a surface, its faces and certificate."""
+    """What a feature shows: its Base and, for each distance, surface, faces and certificate."""
 
     base: Base
     surfaces: list

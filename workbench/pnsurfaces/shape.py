@@ -35,7 +35,7 @@ def solid_of_sections(sections):
 
 
 def own_shape(obj):
-    """The shape of an object in its own coordinates: the doubles before the placement moves them."""
+    """The shape of an object in its own coordinates: its doubles, not moved by the placement."""
     shape = obj.Shape.copy(False)
     shape.Placement = FreeCAD.Placement()
     return shape

@@ -122,7 +122,7 @@ def basis(knots, degree, parameters, derivative=0):
 
 
 def _over_support(values, knots, degree):
-    """B-splines of one degree less, each divided by the length of its support; 0 for an empty one."""
+    """B-splines of one degree less, each by the length of its support; 0 for an empty one."""
     length = knots[degree:] - knots[:-degree]
     return np.divide(values, length, out=np.zeros_like(values), where=length > 0)
 
