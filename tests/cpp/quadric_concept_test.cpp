@@ -590,8 +590,8 @@ bool is_refused_by_rule(const QuadricInput& input, ErrorCode code, std::uint64_t
   }
 }
 
-/// Whether it is what a region may turn out to be: one that touches itself, or whose rulings or
-/// circles go too far for few faces.
+/// Whether it is what a region may turn out to be: too thin, touching itself, or with rulings or
+/// circles that go too far for few faces.
 bool is_refused_by_chance(ErrorCode code) {
   return code == ErrorCode::kRegionUnsupported || code == ErrorCode::kWeightsNotPositive;
 }

@@ -176,3 +176,30 @@ TEST_CASE("Degrees are those of the theorem", "[quadric_pencil]") {
   CHECK(degrees(paraboloid_family(half_axes(3, 2, 1))) == Degrees{6, 4});
   CHECK(degrees(paraboloid_family(half_axes(2, 2, 1))) == Degrees{6, 2});
 }
+
+TEST_CASE("Next to a pole the parameter of a normal keeps its digits", "[quadric_pencil]") {
+  // Beside an umbilic t grows as the distance of the normals, along every direction.
+  for (const Case& quadric : cases()) {
+    const CircleForms<double> circles = midpoint(quadric.family->forms(128).circles);
+    const Eigen::Vector3d axis(circles.axis[0](0), circles.axis[1](0), circles.axis[2](0));
+    const Eigen::Vector3d pole = -axis / circles.level(0);
+    const Eigen::Vector3d aside = any_perpendicular(pole);
+    for (const double turn : {0.0, 1.0, 2.0}) {
+      const Eigen::Vector3d e = Eigen::AngleAxisd(turn, pole) * aside;
+      const auto at = [&](double angle) {
+        return quadric.family->parameter(std::cos(angle) * pole + std::sin(angle) * e);
+      };
+      CHECK(at(1e-7) / at(1e-5) == Approx(1e-2).epsilon(1e-4));
+      CHECK(at(1e-5) / at(1e-3) == Approx(1e-2).epsilon(1e-2));
+    }
+  }
+}
+
+TEST_CASE("A paraboloid's family ends somewhat beyond the farthest normal", "[quadric_pencil]") {
+  for (const double height : {-2.0, -0.5, -0.01}) {
+    const Eigen::Vector3d far = Eigen::Vector3d(1, 1, height).normalized();
+    const Family family = elliptic_paraboloid_family(half_axes(3, 2, 1), {far});
+    CHECK(family->parameter(far) > 0.5);
+    CHECK(family->parameter(far) < 0.999);
+  }
+}

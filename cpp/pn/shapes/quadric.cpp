@@ -307,8 +307,9 @@ OrientedQuadric oriented_hyperbolic_paraboloid(const Vector3d& a, const QuadricB
 
 /// z = c (x^2/a^2 - y^2/b^2): T = x/a - y/b is constant on a ruling, S = x/a + y/b runs along it.
 EnvelopeChain hyperbolic_paraboloid(const std::array<Rational, 3>& half, const Vector3d& a,
-                                    const QuadricBounds& bounds) {
-  const OrientedQuadric quadric = oriented_hyperbolic_paraboloid(a, bounds);
+                                    const QuadricBounds& given) {
+  const OrientedQuadric quadric = oriented_hyperbolic_paraboloid(a, given);
+  const QuadricBounds bounds = effective_bounds(given, quadric.traced);
   const auto loops = region_loops(quadric, bounds);
   const auto ruling = [=](const Vector3d& p) { return p.x() / a.x() - p.y() / a.y(); };
   const Range t = range_on(loops, ruling).widened();

@@ -142,6 +142,8 @@ class RegionTracer {
         tolerance_(kSamePoint * quadric.size()) {
     for (const Vector3d& stop : quadric.stops) add_corner_at(stop);
     for (std::size_t i = 0; i < planes_.size(); ++i) {
+      const auto touching = touching_point(quadric.equation, planes_[i], quadric.reach);
+      if (touching) add_corner_at(*touching);
       for (std::size_t j = 0; j < i; ++j) {
         for (const Vector3d& p :
              common_points(quadric.equation, planes_[i], planes_[j], quadric.size())) {
@@ -206,8 +208,8 @@ class RegionTracer {
 
   bool has_one_side_inside(const Curve& curve, double at) const {
     const Vector3d p = curve(at), along = curve(at + kStep) - curve(at - kStep);
-    const Vector3d aside = kAside * quadric_.size() *
-                           quadric_.equation.half_gradient(p).cross(along).normalized();
+    const Vector3d aside =
+        kAside * quadric_.size() * quadric_.equation.half_gradient(p).cross(along).normalized();
     return is_inside(bounds_, p + aside) != is_inside(bounds_, p - aside);
   }
 
@@ -221,7 +223,8 @@ class RegionTracer {
   }
 
   /// The arcs end to end.
-  static std::vector<BoundaryLoop> joined(std::vector<Arc> arcs) {
+  std::vector<BoundaryLoop> joined(std::vector<Arc> arcs) const {
+    require_pairs(arcs);
     std::vector<BoundaryLoop> loops;
     while (!arcs.empty()) {
       const auto first = arcs.back().start;
@@ -229,10 +232,9 @@ class RegionTracer {
       BoundaryLoop loop = {arcs.back().curve};
       arcs.pop_back();
       while (end != first) {
-        const auto goes_on = [&](const Arc& arc) { return arc.start == end || arc.finish == end; };
-        const auto next = std::find_if(arcs.begin(), arcs.end(), goes_on);
-        require_single(next != arcs.end());
-        require_single(std::find_if(next + 1, arcs.end(), goes_on) == arcs.end());
+        const auto next = std::find_if(arcs.begin(), arcs.end(), [&](const Arc& arc) {
+          return arc.start == end || arc.finish == end;
+        });
         const bool runs_on = next->start == end;
         loop.push_back(runs_on ? next->curve : part(next->curve, 1, 0));
         end = runs_on ? next->finish : next->start;
@@ -243,8 +245,14 @@ class RegionTracer {
     return loops;
   }
 
-  static void require_single(bool goes_on_once) {
-    if (goes_on_once) return;
+  /// In every corner two arcs end, or none.
+  void require_pairs(const std::vector<Arc>& arcs) const {
+    std::vector<int> ends(corners_.size());
+    for (const Arc& arc : arcs) {
+      if (arc.start) ++ends[*arc.start];
+      if (arc.finish) ++ends[*arc.finish];
+    }
+    if (std::all_of(ends.begin(), ends.end(), [](int n) { return n == 0 || n == 2; })) return;
     throw GeometryError(ErrorCode::kRegionUnsupported,
                         "The region touches itself in a point; move one of the bounds there a "
                         "little.");
@@ -256,6 +264,14 @@ class RegionTracer {
   double tolerance_;
   std::vector<Corner> corners_;
 };
+
+/// A region thinner than this part of the size is nothing but an edge to CAD systems.
+constexpr double kThinnest = 1e-7;
+
+GeometryError too_thin() {
+  return {ErrorCode::kRegionUnsupported,
+          "The bounds leave less than a ten-millionth of the size; move them apart."};
+}
 
 void require_interval(const Interval& interval, const char* name) {
   if (std::isnan(interval.low) || std::isnan(interval.high)) {
@@ -306,12 +322,16 @@ QuadricBounds effective_bounds(const QuadricBounds& bounds, const TracedQuadric&
     if (interval.low >= extent.high - least || interval.high <= extent.low + least) {
       throw GeometryError(ErrorCode::kRegionEmpty, "The bounds miss the surface.");
     }
+    const double thickness =
+        std::min(interval.high, extent.high) - std::max(interval.low, extent.low);
+    if (thickness <= kThinnest * quadric.size()) throw too_thin();
     if (interval.low <= extent.low + least) interval.low = -HUGE_VAL;
     if (interval.high >= extent.high - least) interval.high = HUGE_VAL;
   }
-  if (bounds.angle && bounds.angle->high - bounds.angle->low >= kFullTurn) {
-    result.angle.reset();
-  }
+  if (!bounds.angle) return result;
+  const double turn = bounds.angle->high - bounds.angle->low;
+  if (turn <= kThinnest) throw too_thin();
+  if (turn >= kFullTurn) result.angle.reset();
   return result;
 }
 

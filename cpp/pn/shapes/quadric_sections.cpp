@@ -27,6 +27,14 @@ double level(const QuadricEquation& quadric, const CoordinatePlane& plane) {
   return -(quadric.constant + at(quadric.square, plane.axis) * plane.value * plane.value + linear);
 }
 
+/// A plane with this level nearly touches the surface.
+bool touches(const QuadricEquation& quadric, double level, const Box& reach) {
+  const double height = std::max(std::abs(reach[2].low), std::abs(reach[2].high));
+  const double whole = quadric.constant != 0 ? std::abs(quadric.constant)
+                                             : 2 * std::abs(quadric.half_linear) * height;
+  return std::abs(level) <= kTouching * whole;
+}
+
 /// A curve along a coordinate.
 BoundaryConic graph(std::size_t along, const Interval& range,
                     std::function<Vector3d(double)> point) {
@@ -105,10 +113,7 @@ std::vector<BoundaryConic> section(const QuadricEquation& quadric, const Coordin
   const double s = at(quadric.square, first), r = at(quadric.square, second);
   const InPlane in_plane(plane, first, second);
   const Interval range = widened(reach[second]);
-  const double height = std::max(std::abs(reach[2].low), std::abs(reach[2].high));
-  const double whole = quadric.constant != 0 ? std::abs(quadric.constant)
-                                             : 2 * std::abs(quadric.half_linear) * height;
-  if (std::abs(q) <= kTouching * whole) {
+  if (touches(quadric, q, reach)) {
     if (!(s * r < 0)) return {};
     const double slope = std::sqrt(-r / s);
     return {in_plane.line(slope, 0, range), in_plane.line(-slope, 0, range)};
@@ -171,8 +176,8 @@ std::vector<Vector3d> on_line(const QuadricEquation& quadric, Vector3d foot, std
   const double square = -rest / at(quadric.square, axis);
   Vector3d slope = 2 * half_gradient;
   at(slope, axis) = 0;
-  const bool touches = std::abs(rest) <= kTouching * size * slope.norm();
-  if (!(square > 0) || !std::isfinite(square) || touches) return {};
+  const bool is_tangent = std::abs(rest) <= kTouching * size * slope.norm();
+  if (!(square > 0) || !std::isfinite(square) || is_tangent) return {};
   std::vector<Vector3d> points;
   for (const double sign : {1.0, -1.0}) {
     at(foot, axis) = sign * std::sqrt(square);
@@ -220,6 +225,16 @@ std::vector<Vector3d> common_points(const QuadricEquation& quadric, const HalfPl
 std::vector<BoundaryConic> section(const QuadricEquation& quadric, const BoundingPlane& plane,
                                    const Box& reach) {
   return std::visit([&](const auto& own) { return section(quadric, own, reach); }, plane);
+}
+
+std::optional<Vector3d> touching_point(const QuadricEquation& quadric, const BoundingPlane& plane,
+                                       const Box& reach) {
+  const auto* own = std::get_if<CoordinatePlane>(&plane);
+  if (!own || (quadric.half_linear != 0 && own->axis != 2)) return std::nullopt;
+  if (!touches(quadric, level(quadric, *own), reach)) return std::nullopt;
+  Vector3d p = Vector3d::Zero();
+  at(p, own->axis) = own->value;
+  return p;
 }
 
 std::vector<Vector3d> common_points(const QuadricEquation& quadric, const BoundingPlane& a,

@@ -12,6 +12,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -66,6 +67,11 @@ inline constexpr double kTouching = 1e-10;
 /// beyond. None where the plane misses the surface or touches it.
 std::vector<BoundaryConic> section(const QuadricEquation& quadric, const BoundingPlane& plane,
                                    const Box& reach);
+
+/// The point in which a plane touches the surface, if it does: two lines of its section may cross
+/// there.
+std::optional<Eigen::Vector3d> touching_point(const QuadricEquation& quadric,
+                                              const BoundingPlane& plane, const Box& reach);
 
 /// The points on two planes; none where the line in which they meet touches the surface or is the
 /// same plane.
