@@ -5,6 +5,7 @@
 #include <Eigen/Sparse>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "pn/bezier/evaluation.hpp"
 #include "pn/geometry_error.hpp"
@@ -16,8 +17,12 @@ using Point = std::array<double, 2>;
 
 constexpr int kDegree = 5;
 constexpr std::size_t kFirstSpans = 4;
-/// Beyond this many halvings of the first spans the sixth power gains nothing more in doubles.
-constexpr double kLeastSpan = 1.0 / 1024;
+/// Up to so many halvings of the first spans they may be too long to show the order of the error.
+constexpr double kShortSpan = 1.0 / 1024;
+/// Shorter ones are halved while this halves the error at least, which rounding in doubles ends;
+/// for a path that doubles cannot follow at all, they end here.
+constexpr double kLeastSpan = 1.0 / 16384;
+constexpr double kLeastGain = 2;
 
 ParameterCurve frame(const std::vector<double>& knots) {
   ParameterCurve curve;
@@ -94,18 +99,26 @@ ParameterCurve interpolated(const ParameterPath& path, double tolerance) {
   for (std::size_t i = 0; i <= kFirstSpans; ++i) {
     knots.push_back(static_cast<double>(i) / kFirstSpans);
   }
+  // Of every span the error before it was halved.
+  std::vector<double> before(kFirstSpans, std::numeric_limits<double>::infinity());
   for (;;) {
     ParameterCurve curve = interpolated(path, knots);
-    std::vector<double> finer = {0};
+    std::vector<double> finer = {0}, errors;
     for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-      if (knots[i + 1] - knots[i] > kLeastSpan &&
-          error(curve, path, knots[i], knots[i + 1]) > tolerance) {
-        finer.push_back((knots[i] + knots[i + 1]) / 2);
+      const double length = knots[i + 1] - knots[i];
+      const double left = error(curve, path, knots[i], knots[i + 1]);
+      const bool gains =
+          length > kShortSpan || (length > kLeastSpan && kLeastGain * left < before[i]);
+      errors.push_back(left);
+      if (left > tolerance && gains) {
+        errors.push_back(left);
+        finer.push_back(knots[i] + length / 2);
       }
       finer.push_back(knots[i + 1]);
     }
     if (finer.size() == knots.size()) return curve;
     knots = std::move(finer);
+    before = std::move(errors);
   }
 }
 
