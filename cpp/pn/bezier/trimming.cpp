@@ -16,7 +16,7 @@ namespace {
 using Point = std::array<double, 2>;
 
 /// In parameters that run over about a unit: two orders above what doubles resolve.
-constexpr double kParameterTolerance = 1e-13;
+constexpr double kParameterTolerance = 2e-14;
 /// Points of an edge at which its distance from the true boundary is measured.
 constexpr int kSamples = 200;
 
