@@ -16,7 +16,7 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-/// In parameters that run over about a unit: two orders above what doubles resolve.
+/// In parameters that run over about a unit: a little above what doubles resolve.
 constexpr double kParameterTolerance = 1e-13;
 /// Places in every span of an edge at which its distance from the true boundary is measured. Where
 /// spans are equal it is largest in their middle.
