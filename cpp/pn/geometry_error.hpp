@@ -18,7 +18,8 @@ enum class ErrorCode {
   kNegativeRadius,      ///< the radius is negative somewhere
   kRadiusTooSteep,      ///< |r'| > |m'| somewhere: no envelope there
   kDevelopable,         ///< |r'| = |m'| identically: the envelope is a curve
-  kPinched,             ///< |r'| = |m'| at a parameter: the envelope shrinks to a point there
+  kPinched,             ///< |r'| = |m'| at a parameter: the envelope shrinks to a point there; or a
+                        ///< ruled surface has a pinch point
   kCornerTooSharp,      ///< the circles on both sides of a corner cannot be joined
   kDegreeTooHigh,       ///< the result would exceed degree 25
   kWeightsNotPositive,  ///< no patch with positive weights was found

@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/cancellation.hpp"
 #include "pn/bezier/pn_surface.hpp"
 #include "pn/geometry_error.hpp"
@@ -67,6 +68,40 @@ Array array_of(const std::vector<double>& values) {
   return array_of(values, {static_cast<py::ssize_t>(values.size())});
 }
 
+// Bernstein coefficients of the numerators and the denominator of a span.
+template <std::size_t Dimension>
+Array homogeneous_of(const pn::RationalSpan<Dimension>& span) {
+  std::vector<pn::RationalPolynomial> components(span.numerator.begin(), span.numerator.end());
+  components.push_back(span.denominator);
+  int degree = 0;
+  for (const auto& component : components) degree = std::max(degree, component.degree());
+  Array result({py::ssize_t{degree} + 1, static_cast<py::ssize_t>(components.size())});
+  auto entries = result.mutable_unchecked<2>();
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    std::vector<pn::Rational> power;
+    for (int i = 0; i <= degree; ++i) power.push_back(components[c].coefficient(i));
+    const std::vector<pn::Rational> bernstein = pn::to_bernstein(std::move(power));
+    for (std::size_t i = 0; i < bernstein.size(); ++i) {
+      entries(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(c)) = bernstein[i].to_double();
+    }
+  }
+  return result;
+}
+
+template <std::size_t Dimension>
+py::list spans_of(const pn::PiecewiseRational<Dimension>& function) {
+  py::list spans;
+  for (std::size_t i = 0; i < function.spans.size(); ++i) {
+    spans.append(py::make_tuple(function.breaks[i].to_double(), function.breaks[i + 1].to_double(),
+                                homogeneous_of(function.spans[i])));
+  }
+  return spans;
+}
+
+Array array_of(const std::array<double, 3>& point) {
+  return array_of(std::vector<double>(point.begin(), point.end()));
+}
+
 py::tuple tuple_of(const std::array<int, 2>& pair) { return py::make_tuple(pair[0], pair[1]); }
 
 pn::Lines lines_of(const std::string& name) {
@@ -87,6 +122,12 @@ py::tuple evaluate(const pn::PNSurface& surface, const Array& t, const Array& u)
   }
   const auto count = static_cast<py::ssize_t>(along.size());
   return py::make_tuple(array_of(points, {count, 3}), array_of(normals, {count, 3}));
+}
+
+/// Without the interpreter's lock, since it takes time.
+pn::OffsetRange regular_range(const pn::PNSurface& surface) {
+  const py::gil_scoped_release release;
+  return surface.regular_range();
 }
 
 pn::QuadricKind kind_of(const std::string& name) {
@@ -200,7 +241,11 @@ void define_inputs(py::module_& module) {
             return array_of(breaks);
           },
           "The parameters at which spans begin and end.")
-      .def_property_readonly("degree", &pn::Curve::degree, "The largest degree of a span.");
+      .def_property_readonly("degree", &pn::Curve::degree, "The largest degree of a span.")
+      .def_property_readonly(
+          "spans", [](const pn::Curve& curve) { return spans_of(curve.function()); },
+          "For each span its first and last parameter and, rounded, the Bernstein coefficients of "
+          "(x w, y w, z w, w), (k + 1, 4).");
 
   py::class_<pn::Law>(module, "Law", "A radius law: a piecewise rational function, in millimetres.")
       .def_static("constant", &pn::Law::constant, py::arg("value"),
@@ -220,7 +265,15 @@ void define_inputs(py::module_& module) {
                                      values_of(coefficients), weights_of(weights)});
           },
           py::arg("degree"), py::arg("knots"), py::arg("multiplicities"), py::arg("coefficients"),
-          py::arg("weights") = py::none(), "A clamped B-spline function, like Curve.bspline.");
+          py::arg("weights") = py::none(), "A clamped B-spline function, like Curve.bspline.")
+      .def(
+          "spans_over",
+          [](const pn::Law& law, const pn::Curve& spine) {
+            const auto& breaks = spine.function().breaks;
+            return spans_of(law.over(breaks.front(), breaks.back()));
+          },
+          py::arg("spine"),
+          "The law over the domain of a spine, as Curve.spans gives it: (r w, w), (k + 1, 2).");
 }
 
 void define_outputs(py::module_& module) {
@@ -269,6 +322,39 @@ void define_outputs(py::module_& module) {
           "Closed loops of curves in (u, v), the region on their left, that bound the face; empty "
           "when it is the whole surface.");
 
+  using FocalPoint = pn::FocalPoint;
+  py::class_<FocalPoint>(module, "FocalPoint",
+                         "A centre of curvature of the surface at distance zero: the offsets that "
+                         "reach it are singular there.")
+      .def_property_readonly(
+          "base", [](const FocalPoint& f) { return array_of(f.base); },
+          "The point (3,) of the surface at distance zero, in mm.")
+      .def_property_readonly(
+          "point", [](const FocalPoint& f) { return array_of(f.point); },
+          "The singular point (3,), in mm.")
+      .def_readonly("distance", &FocalPoint::distance,
+                    "Of the singular offset, in mm: |distance| = |point - base|.");
+
+  using SelfIntersection = pn::SelfIntersection;
+  py::class_<SelfIntersection>(module, "SelfIntersection", "Where a surface crosses itself.")
+      .def_property_readonly(
+          "point", [](const SelfIntersection& s) { return array_of(s.point); }, "(3,), in mm.")
+      .def_property_readonly(
+          "faces",
+          [](const SelfIntersection& s) {
+            return py::make_tuple(s.places[0].face, s.places[1].face);
+          },
+          "Which two of bsplines() meet there, perhaps twice the same.")
+      .def_property_readonly(
+          "parameters",
+          [](const SelfIntersection& s) {
+            const auto& [a, b] = s.places;
+            return py::make_tuple(py::make_tuple(a.u, a.v), py::make_tuple(b.u, b.v));
+          },
+          "((u, v), (u, v)) of the point on both faces.")
+      .def_readonly("angle", &SelfIntersection::angle,
+                    "Of the tangent planes, in radians, at most a right angle.");
+
   py::class_<pn::Certificate>(module, "Certificate", "What is proved of the exported faces.")
       .def_readonly("deviation", &pn::Certificate::deviation,
                     "Proven bound on the distance of the faces to the true envelope, in mm.")
@@ -300,14 +386,19 @@ void define_surface(py::module_& module) {
       .def_property_readonly(
           "regular_range",
           [](const pn::PNSurface& surface) {
-            const pn::OffsetRange range = [&] {
-              const py::gil_scoped_release release;
-              return surface.regular_range();
-            }();
+            const pn::OffsetRange range = regular_range(surface);
             return py::make_tuple(range.lower, range.upper);
           },
           "Certified interval of distances, counted from distance zero, without a singular point; "
           "empty when the first number is not less than the second.")
+      .def_property_readonly(
+          "focal_points",
+          [](const pn::PNSurface& surface) {
+            const pn::OffsetRange range = regular_range(surface);
+            return py::make_tuple(range.at_lower, range.at_upper);
+          },
+          "The first singular points below and above the regular range, each None where it has no "
+          "end or nothing is proved. Estimates.")
       .def(
           "bsplines",
           [](const pn::PNSurface& surface, const std::string& lines) {
@@ -319,6 +410,14 @@ void define_surface(py::module_& module) {
           "The faces: \"even\" gives smooth faces with even parameter lines, \"lowest_degree\" a "
           "face "
           "for every arc.")
+      .def(
+          "self_intersection",
+          [](const pn::PNSurface& surface) {
+            const py::gil_scoped_release release;
+            return surface.self_intersection();
+          },
+          "Where this surface crosses itself at the widest angle, or None. Each one is confirmed; "
+          "parts that cross at less than 1/64 rad count as touching.")
       .def_property_readonly(
           "certificate",
           [](const pn::PNSurface& surface) {

@@ -152,8 +152,42 @@ pn::StepSchema schema_named(const std::string& name) {
   throw std::invalid_argument("The STEP schema is AP203, AP214 or AP242, not " + name + ".");
 }
 
-void write_step(const std::filesystem::path& path, const std::vector<std::string>& shapes,
-                const std::vector<std::string>& names, const std::string& schema, bool pcurves) {
+py::dict report_from(const pn::StepReport& report) {
+  using py::literals::operator""_a;
+  const pn::RoundTrip& found = report.round_trip;
+  return py::dict("faces"_a = found.faces, "bspline_faces"_a = found.bspline_faces,
+                  "poles"_a = found.poles, "volume"_a = found.volume, "bytes"_a = report.bytes);
+}
+
+// What `progress`, a function of Python or None, raises is kept for the caller: it may not pass
+// through OpenCASCADE.
+class PythonProgress {
+ public:
+  explicit PythonProgress(py::object progress) : progress_(std::move(progress)) {}
+
+  bool operator()(double fraction) {
+    if (progress_.is_none()) return true;
+    try {
+      progress_(fraction);
+      return true;
+    } catch (const py::error_already_set&) {
+      raised_ = std::current_exception();
+      return false;
+    }
+  }
+
+  void rethrow() const {
+    if (raised_) std::rethrow_exception(raised_);
+  }
+
+ private:
+  py::object progress_;
+  std::exception_ptr raised_;
+};
+
+py::dict write_step(const std::filesystem::path& path, const std::vector<std::string>& shapes,
+                    const std::vector<std::string>& names, const std::string& schema, bool pcurves,
+                    py::object progress) {
   if (shapes.size() != names.size()) {
     throw std::invalid_argument("Every shape of a STEP file needs one name.");
   }
@@ -161,7 +195,14 @@ void write_step(const std::filesystem::path& path, const std::vector<std::string
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     named.push_back({pn::from_brep(shapes[i]), names[i]});
   }
-  pn::write_step(path, named, {schema_named(schema), pcurves});
+  PythonProgress shown(std::move(progress));
+  try {
+    return report_from(
+        pn::write_verified_step(path, named, {schema_named(schema), pcurves}, std::ref(shown)));
+  } catch (const pn::Cancelled&) {
+    shown.rethrow();
+    throw;
+  }
 }
 
 std::vector<std::string> read_step(const std::filesystem::path& path) {
@@ -211,6 +252,8 @@ PYBIND11_MODULE(pnocct, m) {
       "shape raises ValueError, a failure inside OpenCASCADE raises OcctError.";
   py::register_exception<pn::OcctError>(m, "OcctError", PyExc_RuntimeError).doc() =
       "A failure inside OpenCASCADE, with OpenCASCADE's message.";
+  py::register_exception<pn::RoundTripError>(m, "RoundTripError", PyExc_RuntimeError).doc() =
+      "A file does not hold what was written: a sentence on each difference.";
   py::register_local_exception_translator(translate_file_error);
 
   m.def("shell", &shell, "faces"_a,
@@ -231,14 +274,13 @@ PYBIND11_MODULE(pnocct, m) {
       "A canal surface ends along a circle of the sphere of its last parameter; the cap is the\n"
       "part of that sphere beyond it, tangent to the surface. Faces of several parts give a\n"
       "compound of solids. Raises ValueError when no sphere touches the faces along an open end.");
-  m.def(
-      "thick_solid", &thick_solid, "inner_faces"_a, "outer_faces"_a,
-      "Return the solid between two offsets of one surface.\n\n"
-      "Closed shells, the first inside the second, make a solid with a void; open ones are joined\n"
-      "by ruled walls along their free edges. Faces of several parts give a compound of solids.\n"
-      "That they do not touch is not examined. Raises ValueError when only one shell is closed,\n"
-      "when the first does not lie inside the second, and when open shells differ in structure\n"
-      "or trims.");
+  m.def("thick_solid", &thick_solid, "inner_faces"_a, "outer_faces"_a,
+        "Return the solid between two offsets of one surface, or two pipes around one spine.\n\n"
+        "Closed shells, the first inside the second, make a solid with a void; open ones are joined\n"
+        "by ruled walls along their free edges. Faces of several parts give a compound of solids.\n"
+        "That they do not touch is not examined. Raises ValueError when only one shell is closed,\n"
+        "when the first does not lie inside the second, and when the free edges of open shells do\n"
+        "not correspond.");
   m.def(
       "domed_thick_solid", &domed_thick_solid, "inner_faces"_a, "outer_faces"_a,
       "Return the solid between two surfaces, one inside the other, with a void: the open ends of\n"
@@ -264,12 +306,17 @@ PYBIND11_MODULE(pnocct, m) {
       "measured_area",
       [](const std::string& brep) { return pair_of(pn::measured_area(pn::from_brep(brep))); },
       "brep"_a, "Return the area (mm^2) and an estimate of its error, as `area`.");
-  m.def("write_step", &write_step, "path"_a, "shapes"_a, "names"_a, "schema"_a = "AP214",
-        "pcurves"_a = true,
-        "Write shapes to a STEP file, one product each, with every double kept.\n\n"
-        "names has one name for each shape; schema is AP203, AP214 or AP242; pcurves=False leaves\n"
-        "out the p-curves of the edges. The file appears only when it is complete. Raises OSError\n"
-        "when it cannot be written.");
+  m.def(
+      "write_step", &write_step, "path"_a, "shapes"_a, "names"_a, "schema"_a = "AP214",
+      "pcurves"_a = true, "progress"_a = py::none(),
+      "Write shapes to a STEP file, one product each, with every double kept, and read it back.\n\n"
+      "names has one name for each shape; schema is AP203, AP214 or AP242; pcurves=False leaves\n"
+      "out the p-curves of the edges. progress is called with the part that is done, from 0 to 1;\n"
+      "what it raises breaks the export off. The file appears, and replaces an old one, only when\n"
+      "it is complete and holds what was written: faces, poles, weights and knots bit for bit,\n"
+      "areas, volume, validity. Returns what was compared: a dict with faces, bspline_faces,\n"
+      "poles, volume and bytes. Raises OSError when the file cannot be written,\n"
+      "RoundTripError when it does not hold what was written.");
   m.def("read_step", &read_step, "path"_a,
         "Return the shapes of a STEP file, one for each root product.\n\n"
         "Raises OSError when the file cannot be opened, OcctError when nothing can be read.");

@@ -6,6 +6,7 @@
 #include "enclosures.hpp"
 #include "error_code.hpp"
 #include "pn/algebra/roots.hpp"
+#include "pn/isotropic/seam.hpp"
 #include "rulings_between.hpp"
 #include "surface_concept.hpp"
 
@@ -371,5 +372,50 @@ TEST_CASE("Slopes are by a parameter of the given length", "[along_rulings]") {
       local_forms(rulings, curves, {4L, false, false}, 128).carrier);
   for (int i = 0; i < unit.axis_slope[1].degree(); ++i) {
     CHECK((unit.axis_slope[1][i] - RealBall(4) * longer.axis_slope[1][i]).contains_zero());
+  }
+}
+
+TEST_CASE("A torsal ruling of the other sheet is none, however steep the cones",
+          "[along_rulings]") {
+  const Directrices curves = {
+      SphereCurve{{polynomial({-310, 2495, -475}), polynomial({-378, 1062, -1067}),
+                   polynomial({-30, 736, -379})},
+                  polynomial({667, -1059, 670}),
+                  1L},
+      SphereCurve{{polynomial({-436, 2061}), polynomial({1347, -207}), polynomial({-612, 88})},
+                  polynomial({12, 1104}),
+                  1L}};
+  for (const bool exchanged : {false, true}) {
+    const Directrices sides = exchanged ? Directrices{curves[1], curves[0]} : curves;
+    const Rulings rulings = joined(sides[0], sides[1]).rulings;
+    const auto forms =
+        std::get<RulingForms<double>>(midpoint(local_forms(rulings, sides, kAlone, 128).carrier));
+    const auto candidates = roots_in_unit_interval(torsal_polynomial(rulings));
+    REQUIRE(candidates.size() == 1);
+    const double t = candidates.front().value.midpoint();
+    // Both sheets have it on one side only, where all normals of the ruling are one.
+    const bool is_torsal =
+        (band_normal(forms, t, 0.25) - band_normal(forms, t, 0.75)).norm() < 1e-6;
+    CHECK(forms.torsal_roots.size() == (is_torsal ? 1 : 0));
+    CHECK(is_torsal == exchanged);
+  }
+}
+
+TEST_CASE("The weights of the wanted side are positive, wherever the torsal ruling is",
+          "[along_rulings]") {
+  const SphereCurve line{{polynomial({0, 5}), 0L, 0L}, 0L, 1L};
+  for (const long tenths : {1L, 3L, 4L, 5L, 7L}) {
+    // z' = 10 t - tenths.
+    const RationalPolynomial z({Rational(1L), Rational(-tenths), Rational(5L)});
+    const auto gamma =
+        midpoint(along({line, {{polynomial({1, 7}), 4L, z}, 0L, 1L}}).enclosure(128));
+    const auto& rulings = std::get<RulingForms<double>>(gamma.carrier);
+    REQUIRE(rulings.torsal_roots.size() == 1);
+    const auto forms = sections(rulings, isotropic_vector<double>(gamma.spinor));
+    for (const double t : {0.05, 0.45, 0.95}) {
+      const Eigen::Vector2d u =
+          parameter_of(value_at(gamma.spinor, t), band_normal(rulings, t, 0.5));
+      CHECK(value(forms.weight, t, u.x(), u.y()) > 0);
+    }
   }
 }

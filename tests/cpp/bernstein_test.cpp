@@ -59,13 +59,17 @@ TEST_CASE("The basis is that of the formal degree", "[bernstein]") {
 }
 
 TEST_CASE("Over balls the change of basis encloses the exact one", "[bernstein]") {
-  const auto power = coefficients_of_degree(12);
-  std::vector<pn::RealBall> balls;
-  for (const Rational& c : power) balls.emplace_back(c, 128L);
-  const auto exact = to_bernstein(power);
-  const auto enclosed = to_bernstein(balls);
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    CHECK(enclosed[i].contains(exact[i]));
-    CHECK((enclosed[i] - pn::RealBall(exact[i], 256)).magnitude_upper() < 1e-25);
+  for (const int degree : {0, 1, 12, 25, 40}) {
+    const auto power = coefficients_of_degree(degree);
+    std::vector<pn::RealBall> balls;
+    for (const Rational& c : power) balls.emplace_back(c, 128L);
+    const auto exact = to_bernstein(power);
+    for (const auto& enclosed : {to_bernstein(balls), pn::BernsteinOfBalls(degree, 128)(balls)}) {
+      REQUIRE(enclosed.size() == exact.size());
+      for (std::size_t i = 0; i < exact.size(); ++i) {
+        CHECK(enclosed[i].contains(exact[i]));
+        CHECK((enclosed[i] - pn::RealBall(exact[i], 256)).magnitude_upper() < 1e-25);
+      }
+    }
   }
 }

@@ -7,6 +7,7 @@
 #include "error_code.hpp"
 #include "pn/algebra/roots.hpp"
 #include "pn/isotropic/along_curve.hpp"
+#include "pn/isotropic/seam.hpp"
 #include "rulings_between.hpp"
 
 using namespace pn;
@@ -61,5 +62,26 @@ TEST_CASE("A degree above 25 is refused with advice", "[envelope]") {
     along(curves);
   } catch (const GeometryError& error) {
     CHECK_THAT(error.what(), Catch::Contains("29") && Catch::Contains("now 7"));
+  }
+}
+
+TEST_CASE("The spinors along rulings are balanced, over short spans too", "[envelope]") {
+  RandomDirectrices random(33);
+  const Directrices whole = random.lines(3, 3);
+  for (const long parts : {1L, 1000L}) {
+    const auto part = [&](const SphereCurve& c) {
+      SphereCurve result = c;
+      for (RationalPolynomial& p : result.centre) {
+        p = p.on_interval(Rational(1L) / Rational(3L), Rational(1L) / Rational(parts + 1));
+      }
+      return result;
+    };
+    const auto gamma = midpoint(along({part(whole[0]), part(whole[1])}).enclosure(128));
+    const Eigen::Matrix2cd a = value_at(gamma.spinor, 0.5);
+    for (const Eigen::Index j : {0, 1}) {
+      CHECK(a.col(j).norm() > 0.5);
+      CHECK(a.col(j).norm() < 2);
+    }
+    CHECK(std::abs(a.col(0).dot(a.col(1)).real()) < 1e-9);
   }
 }

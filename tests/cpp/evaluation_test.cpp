@@ -2,6 +2,7 @@
 #include "pn/bezier/evaluation.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "enclosures.hpp"
 
@@ -69,13 +70,14 @@ TEST_CASE("The active basis is positive inside, sums to one and reproduces its v
   const std::vector<double> knots = {-1, 0.5, 2, 3};
   const std::vector<int> multiplicities = {4, 1, 2, 4};
   const std::vector<double> flat = {-1, -1, -1, -1, 0.5, 2, 2, 3, 3, 3, 3};
+  const pn::SplineBasis spline(3, knots, multiplicities);
   for (const double u : {-1.0, -0.3, 0.5, 1.99, 2.0, 2.7, 3.0}) {
-    const pn::ActiveBasis basis = pn::active_basis(3, knots, multiplicities, u);
+    const pn::ActiveBasis basis = spline.at(u);
     REQUIRE(basis.values.size() == 4);
     CHECK(basis.first + 4 <= pn::pole_count(3, multiplicities));
     double sum = 0, mean = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t pole = basis.first + i;
+    for (int i = 0; i < 4; ++i) {
+      const std::size_t pole = basis.first + static_cast<std::size_t>(i);
       CHECK(basis.values[i] >= 0);
       sum += basis.values[i];
       mean += basis.values[i] * (flat[pole + 1] + flat[pole + 2] + flat[pole + 3]) / 3;
@@ -83,4 +85,22 @@ TEST_CASE("The active basis is positive inside, sums to one and reproduces its v
     CHECK(sum == Approx(1));
     CHECK(mean == Approx(u));  // the Greville abscissae are the poles of the identity
   }
+}
+
+TEST_CASE("The basis of the largest degree is that of Bernstein on a single span", "[evaluation]") {
+  const pn::SplineBasis spline(pn::kLargestDegree, {0, 1},
+                               {pn::kLargestDegree + 1, pn::kLargestDegree + 1});
+  const double t = 0.3;
+  const pn::ActiveBasis basis = spline.at(t);
+  double expected = std::pow(1 - t, pn::kLargestDegree);  // C(n, i) t^i (1 - t)^(n - i)
+  for (int i = 0; i <= pn::kLargestDegree; ++i) {
+    CHECK(basis.values[i] == Approx(expected));
+    expected *= (pn::kLargestDegree - i) / (i + 1.0) * t / (1 - t);
+  }
+}
+
+TEST_CASE("An evaluation of many points is that of each", "[evaluation]") {
+  const BSplineSurface s = surface();
+  const pn::SurfaceEvaluation evaluation(s);
+  for (const double u : {-1.0, 0.7, 3.0}) CHECK(evaluation(u, 2.5) == evaluate(s, u, 2.5));
 }

@@ -39,6 +39,18 @@ TEST_CASE("Sums and products have the values of sums and products", "[form]") {
   CHECK((RationalForm() + a).coefficients() == a.coefficients());
 }
 
+TEST_CASE("A product that is added to a form raises its degree where it has to", "[form]") {
+  const RationalForm a = form({3, -1, 2}), b = form({5, 7});
+  const Rational t = Rational(4L) / Rational(3L);
+  for (const RationalForm& before : {RationalForm(), form({1, 4}), form({1, 0, 0, 0, 2})}) {
+    RationalForm sum = before;
+    sum.add_product(a, b);
+    CHECK(sum(t) == before(t) + a(t) * b(t));
+    CHECK(sum.degree() == std::max(3, before.degree()));
+    CHECK(sum.add_product(a, RationalForm())(t) == before(t) + a(t) * b(t));
+  }
+}
+
 TEST_CASE("A form on an interval is composed with the linear map", "[form]") {
   const RationalForm a = form({3, -1, 2, 5});
   const Rational origin = Rational(1L) / Rational(7L), length = Rational(-2L),
@@ -53,6 +65,7 @@ TEST_CASE("The derivative obeys Leibniz and keeps its formal degree", "[form]") 
   CHECK((a * b).derivative().coefficients() ==
         (a.derivative() * b + a * b.derivative()).coefficients());
   CHECK(form({1, 2, 0}).derivative().degree() == 1);
+  CHECK(b.slope(Rational(3L)) == b.derivative()(Rational(3L)));
   CHECK(form({4}).derivative().coefficients() == form({0}).coefficients());
 }
 

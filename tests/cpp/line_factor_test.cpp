@@ -106,3 +106,16 @@ TEST_CASE("A matched factor keeps to the nearer sign") {
   CHECK(distance(matched<double>(own, neighbour, 1.0, near).value, value) < 1e-9);
   CHECK(distance(matched<double>(own, neighbour, 1.0, -near).value, scaled(value, -1.0)) < 1e-9);
 }
+
+TEST_CASE("Short doubles keep 24 bits of numbers of any size") {
+  for (const double size : {1e-200, 1e-40, 1.0, 1e60}) {
+    const double x = size / 3;
+    const double rounded = short_double(x);
+    CHECK(std::abs(rounded - x) <= std::ldexp(x, -24));
+    int exponent = 0;
+    const double bits = std::ldexp(std::frexp(rounded, &exponent), 24);
+    CHECK(bits == std::round(bits));
+    CHECK(short_double(-x) == -rounded);
+  }
+  CHECK(short_double(0) == 0);
+}

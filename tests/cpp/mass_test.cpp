@@ -180,6 +180,16 @@ TEST_CASE("The estimated error covers the true one and is small") {
   covers(pn::measured_volume(pn::make_capped_solid(cap)), kPi * h * h * (3 - h) / 3);
 }
 
+TEST_CASE("One rule is enough where surfaces are smooth, and for comparisons elsewhere") {
+  CHECK(pn::area_by_one_rule(make_shell({pn::test::torus(5, 2)})) ==
+        Approx(4 * kPi * kPi * 5 * 2).epsilon(1e-12));
+  // At a pole of the parametrization, and where a torus meets itself, normals vanish.
+  CHECK(pn::area_by_one_rule(make_shell(pn::test::ellipsoid_halves(3, 2, 1))) ==
+        Approx(ellipsoid_area(3, 2, 1)).epsilon(1e-4));
+  const TopoDS_Shell spindle = make_shell({pn::test::torus(1, 2)});
+  CHECK(pn::area_by_one_rule(spindle) == Approx(area(spindle)).epsilon(1e-3));
+}
+
 TEST_CASE("An open shell has no volume") {
   CHECK_THROWS_AS(volume(make_shell({pn::test::tube(1, 0, 4, 4)})), std::invalid_argument);
 }

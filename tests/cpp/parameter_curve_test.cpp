@@ -68,10 +68,17 @@ TEST_CASE("The ends are those of the path, bit for bit", "[parameter_curve]") {
 }
 
 TEST_CASE("A polynomial path of its degree is met with few poles", "[parameter_curve]") {
-  const auto path = [](double t) { return Point{t, 1 + t * (2 - t * t * (3 - t * t))}; };
+  const auto path = [](double t) { return Point{t, 1 + t * (2 - t * t * (3 - std::pow(t, 6)))}; };
   const ParameterCurve curve = interpolated(path, 1e-14);
   CHECK(largest_error(curve, path) < 1e-14);
   CHECK(curve.poles.size() < 12);
+}
+
+TEST_CASE("The spline is smooth: inner knots are simple", "[parameter_curve]") {
+  const auto path = [](double t) { return Point{t, 1 / (1 + 25 * t * t)}; };
+  const ParameterCurve curve = interpolated(path, 1e-12);
+  REQUIRE(curve.knots.size() > 2);
+  for (std::size_t i = 1; i + 1 < curve.knots.size(); ++i) CHECK(curve.multiplicities[i] == 1);
 }
 
 TEST_CASE("A tighter tolerance takes more spans only where the path asks for them",

@@ -49,8 +49,17 @@ Case hyperboloid(const HalfAxes& half) {
           0.15};
 }
 
+/// The family of a paraboloid up to steep normals in all directions.
+Family paraboloid_family(const HalfAxes& half) {
+  std::vector<Eigen::Vector3d> far;
+  for (const double angle : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0}) {
+    far.push_back(Eigen::Vector3d(std::cos(angle), std::sin(angle), -0.5).normalized());
+  }
+  return elliptic_paraboloid_family(half, far);
+}
+
 Case paraboloid(const HalfAxes& half) {
-  return {elliptic_paraboloid_family(half),
+  return {paraboloid_family(half),
           [=](const std::array<RealBall, 3>& x) {
             const auto square = [&](std::size_t i) {
               const RealBall ratio = x[i] / RealBall(half[i], 256);
@@ -164,6 +173,33 @@ TEST_CASE("Degrees are those of the theorem", "[quadric_pencil]") {
   CHECK(degrees(ellipsoid_family(half_axes(2, 2, 2))) == Degrees{2, 2});
   CHECK(degrees(two_sheet_hyperboloid_family(half_axes(3, 2, 1))) == Degrees{8, 4});
   CHECK(degrees(two_sheet_hyperboloid_family(half_axes(2, 2, 1))) == Degrees{8, 2});
-  CHECK(degrees(elliptic_paraboloid_family(half_axes(3, 2, 1))) == Degrees{6, 4});
-  CHECK(degrees(elliptic_paraboloid_family(half_axes(2, 2, 1))) == Degrees{6, 2});
+  CHECK(degrees(paraboloid_family(half_axes(3, 2, 1))) == Degrees{6, 4});
+  CHECK(degrees(paraboloid_family(half_axes(2, 2, 1))) == Degrees{6, 2});
+}
+
+TEST_CASE("Next to a pole the parameter of a normal keeps its digits", "[quadric_pencil]") {
+  // Beside an umbilic t grows as the distance of the normals, along every direction.
+  for (const Case& quadric : cases()) {
+    const CircleForms<double> circles = midpoint(quadric.family->forms(128).circles);
+    const Eigen::Vector3d axis(circles.axis[0](0), circles.axis[1](0), circles.axis[2](0));
+    const Eigen::Vector3d pole = -axis / circles.level(0);
+    const Eigen::Vector3d aside = any_perpendicular(pole);
+    for (const double turn : {0.0, 1.0, 2.0}) {
+      const Eigen::Vector3d e = Eigen::AngleAxisd(turn, pole) * aside;
+      const auto at = [&](double angle) {
+        return quadric.family->parameter(std::cos(angle) * pole + std::sin(angle) * e);
+      };
+      CHECK(at(1e-7) / at(1e-5) == Approx(1e-2).epsilon(1e-4));
+      CHECK(at(1e-5) / at(1e-3) == Approx(1e-2).epsilon(1e-2));
+    }
+  }
+}
+
+TEST_CASE("A paraboloid's family ends somewhat beyond the farthest normal", "[quadric_pencil]") {
+  for (const double height : {-2.0, -0.5, -0.01}) {
+    const Eigen::Vector3d far = Eigen::Vector3d(1, 1, height).normalized();
+    const Family family = elliptic_paraboloid_family(half_axes(3, 2, 1), {far});
+    CHECK(family->parameter(far) > 0.5);
+    CHECK(family->parameter(far) < 0.999);
+  }
 }

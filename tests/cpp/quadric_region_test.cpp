@@ -11,43 +11,32 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// The unit sphere and its circles.
-QuadricSections sphere() {
-  return {[](std::size_t axis, double value) -> std::optional<BoundaryConic> {
-            if (std::abs(value) >= 1) return std::nullopt;
-            const double r = std::sqrt(1 - value * value);
-            return BoundaryConic{
-                [=](double t) {
-                  Vector3d p;
-                  p(static_cast<Eigen::Index>(axis)) = value;
-                  p(static_cast<Eigen::Index>((axis + 1) % 3)) = r * std::cos(2 * M_PI * t);
-                  p(static_cast<Eigen::Index>((axis + 2) % 3)) = r * std::sin(2 * M_PI * t);
-                  return p;
-                },
-                true};
-          },
-          [](double angle) -> BoundaryConic {
-            return {[=](double t) {
-                      const double s = std::sin(M_PI * t);
-                      return Vector3d(s * std::cos(angle), s * std::sin(angle), std::cos(M_PI * t));
-                    },
-                    false};
-          }};
+/// The unit sphere.
+TracedQuadric sphere(const std::vector<Vector3d>& stops = {}) {
+  const Interval unit = {-1, 1};
+  return {{{1, 1, 1}, 0, -1, false}, {unit, unit, unit}, {unit, unit, unit}, stops};
+}
+
+/// z = x^2 - y^2 above the square of side 2.
+TracedQuadric saddle() {
+  const Interval unit = {-1, 1};
+  return {{{1, -1, 0}, -0.5, 0, false}, Box(), {unit, unit, unit}, {}};
 }
 
 std::vector<BoundaryLoop> loops_of(const QuadricBounds& bounds,
                                    const std::vector<Vector3d>& stops = {}) {
-  return boundary_loops(bounds, sphere(), 1, stops);
-}
-
-QuadricBounds box(const Interval& x, const Interval& y, const Interval& z) {
-  return {{x, y, z}, std::nullopt};
+  const TracedQuadric quadric = sphere(stops);
+  return boundary_loops(effective_bounds(bounds, quadric), quadric);
 }
 
 QuadricBounds sector(double low, double high) {
   QuadricBounds bounds;
   bounds.angle = Interval{low, high};
   return bounds;
+}
+
+QuadricBounds box(const Interval& x, const Interval& y, const Interval& z) {
+  return {{x, y, z}, std::nullopt};
 }
 
 /// Closed, on the sphere, and inside the bounds but for rounding.
@@ -76,9 +65,17 @@ std::optional<ErrorCode> refusal(const QuadricBounds& bounds) {
 
 }  // namespace
 
-TEST_CASE("Bounds that miss the surface leave no loop", "[quadric_region]") {
+TEST_CASE("Bounds that hold everywhere, or nowhere, leave no loop", "[quadric_region]") {
   CHECK(loops_of({}).empty());
   CHECK(loops_of(box({-2, 2}, {}, {-3, 4})).empty());
+  // Some of them touch the sphere.
+  CHECK(are_none(effective_bounds(box({-1, 1}, {-1 - 1e-15, 1}, {-1, 1 - 1e-12}), sphere())));
+  CHECK(are_none(effective_bounds(sector(0.5, 0.5 + 2 * M_PI), sphere())));
+  for (const QuadricBounds& bounds : {box({1, 2}, {}, {}), box({}, {}, {-3, -1 + 1e-12})}) {
+    CHECK(test::code_of([&] { effective_bounds(bounds, sphere()); }) == ErrorCode::kRegionEmpty);
+  }
+  // Each of these cuts the sphere, but not where the other one holds.
+  CHECK(loops_of(box({0.9, 2}, {}, {0.9, 2})).empty());
 }
 
 TEST_CASE("One plane cuts one loop, two parallel ones cut two", "[quadric_region]") {
@@ -164,4 +161,57 @@ TEST_CASE("Bounds that cross in one point on the surface cut a corner there", "[
   const auto loops = loops_of(touching);
   REQUIRE(loops.size() == 1);
   check_loops(loops, touching);
+}
+
+TEST_CASE("Bounds that coincide bound once", "[quadric_region]") {
+  QuadricBounds half = sector(-M_PI / 2, M_PI / 2);
+  half.box[0] = {0, 2};
+  const auto loops = loops_of(half);
+  REQUIRE(loops.size() == 1);
+  CHECK(loops[0].size() == 2);
+  half.box[0] = {-2, 0};
+  CHECK(loops_of(half).empty());
+}
+
+TEST_CASE("A region that touches itself is refused", "[quadric_region]") {
+  // What two touching caps leave of the sphere is one region; of the saddle, z >= 0 is two wedges.
+  CHECK(loops_of(box({-2, 0.8}, {}, {-2, 0.6})).size() == 2);
+  const QuadricBounds above = box({-1, 1}, {-1, 1}, {0, 2});
+  CHECK(test::code_of([&] { boundary_loops(above, saddle()); }) == ErrorCode::kRegionUnsupported);
+}
+
+TEST_CASE("A region too thin to be seen is refused", "[quadric_region]") {
+  for (const QuadricBounds& bounds :
+       {box({0.5, 0.5 + 1e-9}, {}, {}), box({}, {1 - 1e-9, 2}, {}), sector(1, 1 + 1e-9)}) {
+    CHECK(test::code_of([&] { effective_bounds(bounds, sphere()); }) ==
+          ErrorCode::kRegionUnsupported);
+  }
+  CHECK_FALSE(loops_of(box({0.5, 0.5 + 1e-5}, {}, {})).empty());
+}
+
+TEST_CASE("Heights of a saddle cut hyperbolas", "[quadric_region]") {
+  const QuadricBounds low = box({-1, 1}, {-1, 1}, {-2, 0.25}),
+                      band = box({-1, 1}, {-1, 1}, {-0.5, 0.25});
+  // Between the branches; and the four corners that both pairs of branches leave.
+  const auto loops = boundary_loops(low, saddle());
+  REQUIRE(loops.size() == 1);
+  CHECK(loops[0].size() == 8);
+  REQUIRE(boundary_loops(band, saddle()).size() == 1);
+  for (const auto& arc : loops[0]) {
+    const Vector3d p = arc(0.5);
+    CHECK(p.z() == Approx(p.x() * p.x() - p.y() * p.y()));
+  }
+}
+
+TEST_CASE("Arcs run slowly where they pass a stop", "[quadric_region]") {
+  const Vector3d stop = Vector3d(1e-4, 1, 0.5).normalized() * std::sqrt(1.0);
+  const double height = stop.z() - 1e-4;
+  const auto loops = loops_of(box({}, {}, {height, 2}), {stop});
+  REQUIRE(loops.size() == 1);
+  REQUIRE(loops[0].size() == 1);
+  int near = 0;
+  for (int i = 0; i < 100; ++i) {
+    if ((loops[0][0](i / 100.0) - stop).norm() < 0.01) ++near;
+  }
+  CHECK(near > 20);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/algebra/roots.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -130,6 +131,9 @@ TEST_CASE("Roots at the ends of [0, 1] count, those beyond do not", "[roots]") {
   CHECK(multiplicity_at(fraction(1, 3)) == 2);
   CHECK(multiplicity_at(Rational(1L)) == 1);
   CHECK(roots_in_unit_interval(RationalPolynomial(1L)).empty());
+  // Coefficients of one sign in the Bernstein basis, and of both.
+  CHECK(roots_in_unit_interval(pair_factor(fraction(1, 2), Rational(3L))).empty());
+  CHECK(roots_in_unit_interval(pair_factor(fraction(1, 2), kTiny)).empty());
 }
 
 TEST_CASE("Positivity on [0, 1] is decided exactly", "[roots]") {
@@ -145,4 +149,27 @@ TEST_CASE("Positivity on [0, 1] is decided exactly", "[roots]") {
   CHECK_FALSE(is_positive_on_unit_interval(square));
   CHECK(is_positive_on_unit_interval(square + RationalPolynomial(kTiny)));
   CHECK_FALSE(is_positive_on_unit_interval(square - RationalPolynomial(kTiny)));
+}
+
+TEST_CASE("Roots at which another polynomial is not positive", "[roots]") {
+  const Rational third = fraction(1, 3), half = fraction(1, 2), near = half + kTiny;
+  const auto p = real_factor(third) * real_factor(half) * real_factor(near) *
+                 real_factor(fraction(2, 3)) * real_factor(Rational(2L)) * pair_factor(half, third);
+  const auto found = [&](const RationalPolynomial& other) {
+    std::vector<Rational> result;
+    for (const RealRoot& root : roots_in_unit_interval_without_positive(p, other)) {
+      for (const Rational& x : {third, half, near, fraction(2, 3)}) {
+        if (root.value.contains(x)) result.push_back(x);
+      }
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  CHECK(found(RationalPolynomial(1L)).empty());
+  CHECK(found(RationalPolynomial(-1L)).size() == 4);
+  // Zero at a root, to any order, and a sign that changes between two close ones.
+  CHECK(found(power(real_factor(third), 2)) == std::vector<Rational>{third});
+  CHECK(found(real_factor(half)) == std::vector<Rational>{third, half});
+  CHECK(found(real_factor(half + kTiny / Rational(2L))) == std::vector<Rational>{third, half});
+  CHECK(found(-real_factor(near)) == std::vector<Rational>{near, fraction(2, 3)});
 }

@@ -22,13 +22,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What evaluation in doubles leaves of an identity, in parts of the surface's size.
-constexpr double kRounding = 1e-11;
-
-/// The cosine of 120 degrees: normals that turn by more along a ruling may be refused.
+/// The cosine of 120 degrees: fewer surfaces are refused for their weights where normals turn by
+/// less along every ruling.
 constexpr double kSteepTurn = -0.5;
-
-Vector3d vector(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
+/// Beside a pinch point normals turn by a right angle at least: its cosine, as samples see it.
+constexpr double kPinchedTurn = 0.1;
 
 /// A sphere with its rates by the parameter.
 struct MovingSphere {
@@ -163,9 +161,9 @@ std::vector<Crossing> crossings(const BSplineSurface& face, double u) {
 void check_loops(const BSplineSurface& face) {
   REQUIRE(face.trims.size() == 1);
   const TrimLoop& loop = face.trims.front();
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    CHECK(loop[i].poles.back() == loop[(i + 1) % loop.size()].poles.front());
-    for (const auto& [u, v] : loop[i].poles) {
+  check_closed(loop);
+  for (const ParameterCurve& curve : loop) {
+    for (const auto& [u, v] : curve.poles) {
       CHECK(u >= face.u_knots.front());
       CHECK(u <= face.u_knots.back());
       CHECK(std::isfinite(v));
@@ -392,7 +390,7 @@ std::optional<Vector3d> normal_at(const MovingSphere& low, const MovingSphere& h
   const Eigen::Vector2d levels(-sphere.growth, low.radius - high.radius);
   const Vector3d nearest = planes.completeOrthogonalDecomposition().solve(levels);
   const double square = 1 - nearest.squaredNorm();
-  if (!(square > 0)) return std::nullopt;
+  if (!(square > 0) || sphere.motion.cross(ruling).isZero()) return std::nullopt;
   return nearest + std::sqrt(square) * sphere.motion.cross(ruling).normalized();
 }
 
@@ -429,22 +427,26 @@ TEST_CASE("Every ruled surface is exact and covers its rulings, no more", "[conc
   std::cout << "PN_TEST_SEED=" << seed << ", " << count << " random ruled surfaces\n";
   // What a random pair of curves may honestly be refused for.
   const std::set<ErrorCode> allowed = {ErrorCode::kDegreeTooHigh, ErrorCode::kDevelopable,
-                                       ErrorCode::kRadiusTooSteep, ErrorCode::kCurvesMeet};
+                                       ErrorCode::kRadiusTooSteep, ErrorCode::kCurvesMeet,
+                                       ErrorCode::kPinched};
   std::map<std::pair<std::string, ErrorCode>, std::uint64_t> refused;
-  std::uint64_t refusals = 0, gentle_refusals = 0;
+  std::uint64_t refusals = 0, for_weights = 0, gentle = 0;
   for (std::uint64_t i = 0; i < count; ++i) {
     const RuledInput input = RandomRuledSurface(seed + i).input();
     INFO("RandomRuledSurface(" << seed + i << "): " << input);
     const std::optional<ErrorCode> code = check_ruled(input, seed + i);
     if (!code) continue;
     CAPTURE(to_string(*code));
-    // A band that turns by nearly two right angles is no arc with positive weights; a few others
-    // are refused for them too, as the count below limits.
-    const bool for_weights = *code == ErrorCode::kWeightsNotPositive;
-    if (for_weights && least_cosine({side_of(input, 0), side_of(input, 1)}) >= kSteepTurn) {
-      ++gentle_refusals;
+    // A band that turns by nearly two right angles is no arc with positive weights.
+    if (*code == ErrorCode::kWeightsNotPositive) {
+      ++for_weights;
+      if (least_cosine({side_of(input, 0), side_of(input, 1)}) >= kSteepTurn) ++gentle;
+    } else {
+      CHECK(allowed.count(*code) == 1);
     }
-    if (!for_weights) CHECK(allowed.count(*code) == 1);
+    if (*code == ErrorCode::kPinched) {
+      CHECK(least_cosine({side_of(input, 0), side_of(input, 1)}) < kPinchedTurn);
+    }
     ++refused[{input.kind.substr(0, input.kind.find(',')), *code}];
     ++refusals;
   }
@@ -454,7 +456,8 @@ TEST_CASE("Every ruled surface is exact and covers its rulings, no more", "[conc
   }
   std::cout << "  accepted: " << count - refusals << "\n";
   CHECK(4 * refusals < count);
-  CHECK(50 * gentle_refusals <= count);
+  CHECK(200 * for_weights <= count);
+  CHECK(1000 * gentle <= count);
 }
 
 }  // namespace

@@ -37,14 +37,15 @@ Curve mapped(const std::vector<Point>& poles, const Map& map) {
   return Curve::bezier(result);
 }
 
-/// Four quarter circles of this radius from the angle turn pi / 2, at a height.
-Curve circle(double radius, int turn, double height) {
+/// Four quarter circles in the cylinder of this radius from the angle turn pi / 2, in the plane z =
+/// height + tilt x.
+Curve circle(double radius, int turn, double height, double tilt = 0) {
   const std::array<std::array<double, 2>, 8> square = {
       {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
   BSplineData<3> data{2, {0, 1, 2, 3, 4}, {3, 2, 2, 2, 3}, {}, {1, 1, 2, 1, 1, 1, 2, 1, 1}};
   for (int i = 0; i <= 8; ++i) {
     const auto& p = square[static_cast<std::size_t>((i + 2 * turn) % 8)];
-    data.poles.push_back({radius * p[0], radius * p[1], height});
+    data.poles.push_back({radius * p[0], radius * p[1], height + tilt * radius * p[0]});
   }
   return Curve::bspline(data);
 }
@@ -52,6 +53,17 @@ Curve circle(double radius, int turn, double height) {
 std::optional<ErrorCode> refusal(const Curve& a, const Curve& b) {
   return code_of([&] { ruled_surface(a, b); });
 }
+
+std::vector<std::size_t> torsal_counts(const EnvelopeChain& chain) {
+  std::vector<std::size_t> counts;
+  for (const ChainLink& link : chain.links) {
+    const auto carrier = link.envelope.enclosure(128).carrier;
+    counts.push_back(std::get<RulingForms<RealBall>>(carrier).torsal_roots.size());
+  }
+  return counts;
+}
+
+using Counts = std::vector<std::size_t>;
 
 }  // namespace
 
@@ -169,6 +181,59 @@ TEST_CASE("Torsal rulings inside a span cut it between them", "[ruled_surface]")
   CHECK(chain.links[0].end < 0.75);
   const PNSurface surface(chain);
   CHECK(surface.certificate(Lines::kEven).trim_deviation < 1e-9);
+}
+
+TEST_CASE("One a little beyond a free end shares no span with one inside", "[ruled_surface]") {
+  // z = 64 t^3 - 45 t^2 - 3 t: z' = 3 (2 t - 1) (32 t + 1).
+  const EnvelopeChain chain =
+      ruled_surface(Curve::bezier({{0, 0, 0}, {15, 0, 0}}),
+                    Curve::bezier({{0, 12, 0}, {6, 12, -1}, {10, 12, -17}, {15, 12, 16}}));
+  CHECK(torsal_counts(chain).size() == 2);
+  for (const std::size_t count : torsal_counts(chain)) CHECK(count <= 1);
+  CHECK(PNSurface(chain).certificate(Lines::kEven).deviation < 1e-12);
+}
+
+TEST_CASE("Lines run on across a torsal ruling at a joint", "[ruled_surface]") {
+  // A funnel: the tangents of both rims are parallel where the quarters of the circles meet.
+  const EnvelopeChain chain = ruled_surface(circle(2, 0, 0), circle(1.5, 0, 2, -1));
+  REQUIRE(chain.closed);
+  CHECK(torsal_counts(chain) == Counts{1, 1, 1, 1});
+  const PNSurface surface(chain);
+  CHECK(surface.certificate(Lines::kEven).deviation < 1e-12);
+  CHECK(surface.certificate(Lines::kEven).trim_deviation < 1e-9);
+  const auto& faces = surface.offset(0.25).faces(Lines::kEven);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const BSplineSurface &face = faces[i], &next = faces[(i + 1) % faces.size()];
+    const std::size_t columns = face.v_count(), last = face.poles.size() - columns;
+    for (std::size_t j = 0; j < columns; ++j) CHECK(face.poles[last + j] == next.poles[j]);
+  }
+}
+
+TEST_CASE("A torsal ruling in a span of high degree gets a short one", "[ruled_surface]") {
+  // Quintics need degree 21, 25 with a torsal ruling: none is left for lines that turn.
+  const EnvelopeChain chain = ruled_surface(
+      Curve::bezier({{0, 0, 0}, {3, 0, 0}, {6, 0, 0}, {9, 0, 0}, {12, 0, 0}, {15, 1, 0}}),
+      Curve::bezier({{0, 9, 2}, {3, 9, 1}, {6, 9, 0}, {9, 9, 0}, {12, 9, 1}, {15, 9, 3}}));
+  CHECK(torsal_counts(chain) == Counts{0, 1, 0});
+  CHECK(chain.links[1].end - chain.links[1].begin < 0.01);
+  CHECK(PNSurface(chain).certificate(Lines::kEven).deviation < 1e-12);
+}
+
+TEST_CASE("Pinch points on the rulings are refused", "[ruled_surface]") {
+  // Rulings (., 12, t^2 - t) are torsal at 1/2; the second curve runs with the first, stands still
+  // in their common plane, or runs against it there.
+  const auto ending = [](double from, double to) {
+    return refusal(Curve::bezier({{0, 0, 0}, {15, 0, 0}}),
+                   Curve::bezier({{from, 12, 0}, {(from + to) / 2, 12, -0.5}, {to, 12, 0}}));
+  };
+  CHECK_FALSE(ending(0, 15));
+  CHECK_FALSE(ending(7, 7.125));
+  CHECK(ending(7, 7) == ErrorCode::kPinched);
+  CHECK(ending(7.125, 7) == ErrorCode::kPinched);
+  CHECK(ending(15, 0) == ErrorCode::kPinched);
+  // At an end the second curve begins along the ruling.
+  CHECK(refusal(Curve::bezier({{0, 0, 0}, {15, 0, 0}}),
+                Curve::bezier({{0, 6, 0}, {0, 9, 0}, {15, 9, 5}})) == ErrorCode::kPinched);
 }
 
 TEST_CASE("Planes are exact", "[ruled_surface]") {

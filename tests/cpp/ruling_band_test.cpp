@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "enclosures.hpp"
 #include "pn/isotropic/seam.hpp"
 #include "rulings_between.hpp"
 
@@ -92,4 +93,36 @@ TEST_CASE("Of two zeros the one nearer to the band", "[ruling_band]") {
   CHECK(band_parameter(product(1e9, 0.5), 0) == Approx(0.5));
   CHECK(band_parameter(product(0, 5), 0) == Approx(0).margin(1e-15));
   CHECK(band_parameter(product(1, -4), 0) == Approx(1));
+}
+
+TEST_CASE("Two links that end at a torsal ruling share its lines and weights", "[ruling_band]") {
+  // On the x-axis with rulings (., 4, z), z' = (2 t - 1) (t + 2): torsal at 1/2, where they meet.
+  const RationalPolynomial z = RationalPolynomial(
+      {Rational(1L), Rational(-2L), Rational(3L) / Rational(2L), Rational(2L) / Rational(3L)});
+  const Rational half = Rational(1L) / Rational(2L);
+  const auto link = [&](const Rational& origin) {
+    const auto part = [&](const RationalPolynomial& p) { return p.on_interval(origin, half); };
+    const Directrices curves = {
+        SphereCurve{{part(polynomial({0, 5})), 0L, 0L}, 0L, 1L},
+        SphereCurve{{part(polynomial({1, 7, 1})), RationalPolynomial(4L), part(z)}, 0L, 1L}};
+    return along(curves, {half, true, true}).enclosure(192);
+  };
+  const auto left = link(0L), right = link(half);
+  const auto frame = [](const IsotropicHypersurface<RealBall>& gamma, int end) {
+    return torsal_frame(rulings_of(gamma), gamma.spinor, end);
+  };
+  const auto ratio = lines::operator*(lines::inverse(frame(right, 0)), frame(left, 1));
+  const auto lined = lines::lined<RealBall>(right.spinor, lines::constant_line(ratio));
+  const auto a = sections(left.carrier, isotropic_vector<RealBall>(left.spinor));
+  const auto b = sections(right.carrier, isotropic_vector<RealBall>(lined));
+  const auto same = [](const FormInU<RealBall>& f, const FormInU<RealBall>& g) {
+    for (std::size_t j = 0; j < f.coefficient.size(); ++j) {
+      CHECK(encloses_zero(f.coefficient[j](RealBall(1)) - g.coefficient[j](RealBall(0)), 1e-20));
+    }
+  };
+  same(a.weight, b.weight);
+  for (std::size_t i = 0; i < 3; ++i) {
+    same(a.point[i], b.point[i]);
+    same(a.direction[i], b.direction[i]);
+  }
 }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/occt/step.hpp"
 
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <Geom_OffsetSurface.hxx>
 #include <Interface_Static.hxx>
+#include <Precision.hxx>
 #include <STEPCAFControl_Controller.hxx>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
@@ -21,6 +25,7 @@ using pn::read_step;
 using pn::StepOptions;
 using pn::StepSchema;
 using pn::write_step;
+using pn::write_verified_step;
 
 namespace {
 
@@ -194,6 +199,49 @@ TEST_CASE("A failed export leaves the old file as it is") {
   CHECK_THROWS_AS(write_step(folder / "old.step", {{TopoDS_Shape(), "null"}}), pn::OcctError);
   CHECK(text_of(folder / "old.step") == "old");
   CHECK_FALSE(fs::exists(folder / "old.step.partial"));
+}
+
+TEST_CASE("What does not come back is not kept") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "old.step") << "old";
+  const Handle(Geom_OffsetSurface) offset =
+      new Geom_OffsetSurface(pn::to_geometry(pn::test::paraboloid()), 0.1);
+  const TopoDS_Shape face = BRepBuilderAPI_MakeFace(offset, Precision::Confusion()).Shape();
+  CHECK_THROWS_WITH(write_verified_step(folder / "old.step", {{face, "offset"}}),
+                    Catch::Contains("Face 1 is an offset surface"));
+  CHECK(text_of(folder / "old.step") == "old");
+  CHECK_FALSE(fs::exists(folder / "old.step.partial"));
+}
+
+TEST_CASE("The report counts what was read back") {
+  const TemporaryFolder folder;
+  const auto solid = pn::make_capped_solid(pn::make_shell(kTubes));
+  const auto report = write_verified_step(folder / "solid.step", {{solid, "solid"}});
+  CHECK(report.bytes == fs::file_size(folder / "solid.step"));
+  CHECK(report.round_trip.faces == 4);
+  CHECK(report.round_trip.poles == kTubes[0].poles.size() + kTubes[1].poles.size());
+  CHECK(report.round_trip.volume == Approx(pn::volume(solid)).epsilon(1e-14));
+}
+
+TEST_CASE("Progress goes from the start to the end, and may break off at any time") {
+  const TemporaryFolder folder;
+  const auto shell = pn::make_shell(kTubes);
+  std::vector<double> steps;
+  write_verified_step(folder / "a.step", {{shell, "a"}}, {}, [&](double part) {
+    steps.push_back(part);
+    return true;
+  });
+  CHECK(std::is_sorted(steps.begin(), steps.end()));
+  CHECK(steps.size() > 10);
+  CHECK(steps.back() == Approx(1));
+  for (std::size_t last = 0; last + 1 < steps.size(); last += 5) {
+    std::size_t step = 0;
+    CHECK_THROWS_AS(write_verified_step(folder / "b.step", {{shell, "b"}}, {},
+                                        [&](double) { return step++ < last; }),
+                    pn::Cancelled);
+    CHECK_FALSE(fs::exists(folder / "b.step"));
+    CHECK_FALSE(fs::exists(folder / "b.step.partial"));
+  }
 }
 
 TEST_CASE("What is no STEP file is refused") {

@@ -2,6 +2,7 @@
 // What every surface must satisfy, whatever its shape: the common part of the concept tests.
 #pragma once
 
+#include <Eigen/Dense>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -19,10 +20,15 @@ namespace pn::test {
 /// what 128 bits leave.
 constexpr double kNarrow = 1e-9;
 
+/// What evaluation in doubles leaves of an identity, in parts of the surface's size.
+constexpr double kRounding = 1e-11;
+
 inline double number_from_environment(const char* name, double otherwise) {
   const char* text = std::getenv(name);
   return text ? std::atof(text) : otherwise;
 }
+
+inline Eigen::Vector3d vector(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
 
 /// x of the section at distance zero and n, at a point of a segment.
 struct EnclosedContact {
@@ -87,6 +93,13 @@ inline void check_plain_data(const BSplineSurface& face) {
   REQUIRE(face.poles.size() == face.u_count() * face.v_count());
   REQUIRE(face.weights.size() == face.poles.size());
   for (const double weight : face.weights) CHECK(weight > 0);
+}
+
+/// Every curve ends where the next one begins, bit for bit.
+inline void check_closed(const TrimLoop& loop) {
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    CHECK(loop[i].poles.back() == loop[(i + 1) % loop.size()].poles.front());
+  }
 }
 
 struct ControlPoint {

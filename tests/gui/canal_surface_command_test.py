@@ -62,7 +62,7 @@ class CreationTest(GuiTest):
 
     def test_closed_panel_is_forgotten(self):
         _, panel = self.open_panel(self.spline, "Edge1")
-        parts = [panel, panel.radii]
+        parts = [panel, panel.table]
         parts += [input_of(panel, name) for name in ("RadiusLaw", "Radius", "use_selection")]
         forgotten = [weakref.ref(part) for part in parts]
         main_window.cancel(panel)
@@ -110,7 +110,7 @@ class CreationTest(GuiTest):
         before = len(main_window.recorded_commands())
         feature, panel = self.open_panel(self.spline, "Edge1")
         input_of(panel, "RadiusLaw").setCurrentText("Values at vertices")
-        panel.radii.setData(panel.radii.index(2, 0), "7 mm")
+        panel.table.setData(panel.table.index(2, 0), "7 mm")
         feature.setExpression("Distance", "1 mm + 0.5 mm")
         wait_for_preview()
         main_window.confirm(panel)
@@ -266,13 +266,13 @@ class PanelTest(GuiTest):
         wait_for_preview()
         self.assertEqual(feature.Radii, [feature.Radius.Value] * 5)
         for row, text in enumerate(["5", "4 mm", "6.5", "1 cm", "12"]):
-            self.assertTrue(panel.radii.setData(panel.radii.index(row, 0), text))
+            self.assertTrue(panel.table.setData(panel.table.index(row, 0), text))
         wait_for_preview()
         self.assertEqual(feature.Radii, [5, 4, 6.5, 10, 12])
         self.assertTrue(feature.isValid(), feature.getStatusString())
         main_window.screenshot("values_at_vertices")
         for text in ("wide", "3 deg", ""):
-            self.assertFalse(panel.radii.setData(panel.radii.index(0, 0), text))
+            self.assertFalse(panel.table.setData(panel.table.index(0, 0), text))
         self.assertEqual(feature.Radii, [5, 4, 6.5, 10, 12])
 
     def test_closed_spine_has_its_first_vertex_once(self):
@@ -283,11 +283,11 @@ class PanelTest(GuiTest):
         self.assertIn("vertices 4, closed", input_of(panel, "spine").text())
         feature.Radii = [6, 8]
         input_of(panel, "RadiusLaw").setCurrentText("Values at vertices")
-        self.assertEqual(panel.radii.rowCount(), 4)
+        self.assertEqual(panel.table.rowCount(), 4)
         wait_for_preview()
         self.assertEqual(feature.Radii, [6, 6.5, 7, 7.5, 6])
         self.assertTrue(feature.isValid(), feature.getStatusString())
-        panel.radii.setData(panel.radii.index(0, 0), "12")
+        panel.table.setData(panel.table.index(0, 0), "12")
         wait_for_preview()
         self.assertEqual(feature.Radii, [12, 6.5, 7, 7.5, 12])
         self.assertTrue(feature.isValid(), feature.getStatusString())
@@ -296,9 +296,9 @@ class PanelTest(GuiTest):
     def test_radii_are_shown_in_full_when_edited(self):
         feature, panel = self.open_panel(self.line, "Edge1")
         input_of(panel, "RadiusLaw").setCurrentText("Bezier coefficients")
-        index = panel.radii.index(0, 0)
-        panel.radii.setData(index, "1.23456789 mm")
-        panel.radii.setData(index, panel.radii.data(index, main_window.EDIT_ROLE))
+        index = panel.table.index(0, 0)
+        panel.table.setData(index, "1.23456789 mm")
+        panel.table.setData(index, panel.table.data(index, main_window.EDIT_ROLE))
         self.assertEqual(feature.Radii[0], 1.23456789)
 
     def test_bezier_coefficients(self):
@@ -306,14 +306,14 @@ class PanelTest(GuiTest):
         radius = feature.Radius.Value
         input_of(panel, "RadiusLaw").setCurrentText("Bezier coefficients")
         self.assertEqual(feature.Radii, [radius, radius])
-        input_of(panel, "add_coefficient").click()
-        panel.radii.setData(panel.radii.index(2, 0), "9")
+        input_of(panel, "add_row").click()
+        panel.table.setData(panel.table.index(2, 0), "9")
         wait_for_preview()
         self.assertEqual(feature.Radii, [radius, radius, 9])
         self.assertTrue(feature.isValid(), feature.getStatusString())
         main_window.screenshot("bezier_coefficients")
         for _ in range(3):
-            input_of(panel, "remove_coefficient").click()
+            input_of(panel, "remove_row").click()
         self.assertEqual(feature.Radii, [radius])
 
     def test_error_is_a_sentence_and_recovers(self):

@@ -5,12 +5,13 @@ import os
 import tempfile
 from unittest import mock
 
+import FreeCAD
 import FreeCADGui
 import main_window
 from support import GuiTest
 
 import pnsurfaces
-from pnsurfaces import preferences
+from pnsurfaces import preferences, progress
 from pnsurfaces.compat import QtWidgets
 
 
@@ -19,6 +20,8 @@ class PreferencesTest(GuiTest):
         self.assertEqual(preferences.distance(), 0)
         self.assertEqual(preferences.parameter_lines(), "Even")
         self.assertEqual(preferences.step_schema(), "AP214")
+        self.assertTrue(preferences.step_parametric_curves())
+        self.assertEqual(preferences.export_path("a.step"), "a.step")
 
     def test_page_decides_how_new_surfaces_start(self):
         def edit(widget):
@@ -27,11 +30,14 @@ class PreferencesTest(GuiTest):
             main_window.type_text(widget("distance"), "1.5")
             widget("parameter_lines").setCurrentText("Lowest degree")
             widget("step_schema").setCurrentText("AP242")
+            self.assertTrue(widget("step_parametric_curves").isChecked())
+            widget("step_parametric_curves").click()
 
         main_window.edit_preferences("PN Surfaces", edit)
         self.assertEqual(preferences.distance(), 1.5)
         self.assertEqual(preferences.parameter_lines(), "Lowest degree")
         self.assertEqual(preferences.step_schema(), "AP242")
+        self.assertFalse(preferences.step_parametric_curves())
         feature, panel = self.open_panel(self.line, "Edge1")
         self.assertEqual(feature.Distance.Value, 1.5)
         self.assertEqual(feature.ParameterLines, "Lowest degree")
@@ -45,12 +51,36 @@ class ExportStepTest(GuiTest):
         self.addCleanup(folder.cleanup)
         path = os.path.join(folder.name, "tube.step")
         self.select(feature)
+        since = len(main_window.recorded_commands())
         with self._answering(path):
             FreeCADGui.runCommand("PNSurfaces_ExportStep")
         with open(path, encoding="ascii") as file:
             header = file.read(1000)
         # The name of AP214 in STEP.
         self.assertIn("AUTOMOTIVE_DESIGN", header)
+        self.assertEqual(preferences.export_path("b.step"), os.path.join(folder.name, "b.step"))
+        (line,) = [c for c in main_window.recorded_commands()[since:] if "export_step" in c]
+        self.assertIn("schema='AP214', parametric_curves=True", line)
+        os.remove(path)
+        exec(line, {"App": FreeCAD, "pnsurfaces": pnsurfaces})
+        self.assertTrue(os.path.exists(path))
+
+    def test_cancelling_leaves_the_old_file(self):
+        feature = pnsurfaces.make_canal_surface(self.line, 3)
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        path = os.path.join(folder.name, "tube.step")
+        with open(path, "w", encoding="ascii") as file:
+            file.write("old")
+        self.select(feature)
+        cancelled = mock.patch.object(
+            progress._Bar, "__call__", side_effect=FreeCAD.Base.FreeCADAbort("Esc")
+        )
+        with self._answering(path), cancelled:
+            FreeCADGui.runCommand("PNSurfaces_ExportStep")
+        with open(path, encoding="ascii") as file:
+            self.assertEqual(file.read(), "old")
+        self.assertEqual(os.listdir(folder.name), ["tube.step"])
 
     def test_failure_is_explained(self):
         feature = pnsurfaces.make_canal_surface(self.line, 3)

@@ -122,3 +122,42 @@ def test_example_of_the_interface():
     assert wall.certificate.exact
     with pytest.raises(pn.GeometryError, match="faster"):
         pn.canal_surface(spine, pn.Law.bezier([2, 60]))
+
+
+def bernstein(coefficients, s):
+    """de Casteljau's algorithm."""
+    rows = list(np.asarray(coefficients))
+    while len(rows) > 1:
+        rows = [(1 - s) * a + s * b for a, b in zip(rows, rows[1:])]
+    return rows[0]
+
+
+def test_spans_of_a_curve_are_the_curve():
+    radius, weight = 5.0, np.sqrt(0.5)
+    arc = pn.Curve.bspline(
+        2, [1, 3, 4], [3, 2, 3],
+        radius * np.array([[1, 0, 0], [1, 1, 0], [0, 1, 0], [-1, 1, 0], [-1, 0, 0]]),
+        [1, weight, 1, weight, 1],
+    )
+    spans = arc.spans
+    assert [span[:2] for span in spans] == [(1, 3), (3, 4)]
+    for _, _, coefficients in spans:
+        for s in np.linspace(0, 1, 7):
+            *xyz, w = bernstein(coefficients, s)
+            assert np.linalg.norm(xyz) / w == pytest.approx(radius, rel=1e-15)
+    assert tuple(bernstein(spans[0][2], 1)[:3] / bernstein(spans[0][2], 1)[3]) == (0, radius, 0)
+
+
+def test_spans_of_a_law_are_over_the_spine():
+    spine = pn.Curve.bspline(1, [0, 2, 5], [2, 1, 2], [[0, 0, 0], [0, 0, 5], [0, 3, 5]])
+    for law, exact in (
+        (pn.Law.constant(2.5), lambda t: 2.5),
+        (pn.Law.bspline(1, [0, 5], [2, 2], [1, 2]), lambda t: 1 + t / 5),
+    ):
+        for first, last, coefficients in law.spans_over(spine):
+            for s in np.linspace(0, 1, 5):
+                value, weight = bernstein(coefficients, s)
+                t = first + (last - first) * s
+                assert value / weight == pytest.approx(exact(t), rel=1e-15)
+    with pytest.raises(pn.GeometryError):
+        pn.Law.bezier([1, 2]).spans_over(spine)

@@ -1,6 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The Python face of pn/occt: arrays in, BREP text out, errors as exceptions."""
 
+import contextlib
+import os
+import pathlib
+import resource
+import tempfile
 from types import SimpleNamespace
 
 import numpy as np
@@ -212,6 +217,88 @@ def test_opencascade_failure_has_its_message():
     with pytest.raises(pnocct.OcctError, match="Standard_ConstructionError"):
         pnocct.shell([tube])
     assert issubclass(pnocct.OcctError, RuntimeError)
+
+
+def test_report_of_a_step_file(tmp_path):
+    solid = pnocct.capped_solid([cylinder(0, 2), cylinder(2, 5)])
+    path = tmp_path / "x.step"
+    report = pnocct.write_step(path, [solid], ["x"])
+    assert report["bytes"] == path.stat().st_size
+    assert (report["faces"], report["bspline_faces"]) == (4, 2)
+    assert report["poles"] == 2 * cylinder(0, 1).weights.size
+    assert report["volume"] == pytest.approx(20 * np.pi, rel=1e-12)
+
+
+def test_measures_with_their_error():
+    solid = pnocct.capped_solid([cylinder(0, 2), cylinder(2, 5)])
+    for (value, error), exact in (
+        (pnocct.measured_volume(solid), 20 * np.pi),
+        (pnocct.measured_area(solid), 28 * np.pi),
+    ):
+        assert abs(value - exact) <= error <= 1e-10 * exact
+
+
+def test_export_can_be_broken_off(tmp_path):
+    shell = pnocct.shell([cylinder(0, 1)])
+    path = tmp_path / "x.step"
+    path.write_text("old")
+
+    class Stop(Exception):
+        pass
+
+    def stop(part):
+        if part > 0.3:
+            raise Stop
+
+    with pytest.raises(Stop):
+        pnocct.write_step(path, [shell], ["x"], progress=stop)
+    assert path.read_text() == "old"
+    assert [file.name for file in tmp_path.iterdir()] == ["x.step"]
+
+
+@contextlib.contextmanager
+def full_disk():
+    """No file can grow beyond 2000 bytes, as on a disk with that much left."""
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (2000, limits[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+
+
+@contextlib.contextmanager
+def without_privileges():
+    """Root may write everywhere; another user may not."""
+    user = os.geteuid()
+    if user == 0:
+        os.seteuid(65534)
+    try:
+        yield
+    finally:
+        os.seteuid(user)
+
+
+def test_full_disk_leaves_the_old_file(tmp_path):
+    shell = pnocct.shell([cylinder(0, 1)])
+    path = tmp_path / "x.step"
+    path.write_text("old")
+    with full_disk(), pytest.raises(OSError, match="x.step"):
+        pnocct.write_step(path, [shell], ["x"])
+    assert path.read_text() == "old"
+    assert [file.name for file in tmp_path.iterdir()] == ["x.step"]
+
+
+def test_read_only_folder_leaves_the_old_file():
+    shell = pnocct.shell([cylinder(0, 1)])
+    with tempfile.TemporaryDirectory() as name:
+        path = pathlib.Path(name) / "x.step"
+        path.write_text("old")
+        path.parent.chmod(0o555)
+        with without_privileges(), pytest.raises(PermissionError):
+            pnocct.write_step(path, [shell], ["x"])
+        assert path.read_text() == "old"
+        path.parent.chmod(0o755)
 
 
 def test_files_that_cannot_be_written_or_read(tmp_path):

@@ -286,14 +286,24 @@ def test_region_unbounded(kind):
 
 def test_region_unsupported():
     for kind, bounds in (
-        ("hyperbolic_paraboloid", {"x": (-1, 1), "y": (-1, 1), "z": (0, 1)}),
-        ("one_sheet_hyperboloid", {"z": (0, 1), "x": (0, 1)}),
+        ("hyperbolic_paraboloid", {"x": (-1, 1), "y": (-1, 1), "z": (0, 1)}),  # two wedges
         ("one_sheet_hyperboloid", {"z": (0, 1), "angle": (0, 6)}),
-        ("parabolic_cylinder", {"x": (-1, 1), "y": (-1, 1), "z": (0, 1)}),
-        ("elliptic_cylinder", {"z": (0, 1), "angle": (0, 1)}),
+        ("parabolic_cylinder", {"x": (-1, 1), "y": (-1, 1), "angle": (0, 1)}),
+        ("parabolic_cylinder", {"x": (-1, 1), "y": (-1, 1), "z": (0.125, 1)}),  # two strips
         ("elliptic_cone", {"z": (-1, 1)}),
+        ("ellipsoid", {"z": (0, 1e-9)}),
     ):
         refused("region_unsupported", lambda: pn.quadric(kind, 2, 2, 1, bounds))
+
+
+def test_heights_of_a_parabolic_cylinder_are_widths():
+    # z = x^2 / 2: z = 1/8 at x = 1/2.
+    for bounds in ({"y": (0, 1), "z": (-1, 0.125)}, {"x": (0, 1), "y": (0, 1), "z": (0.125, 1)}):
+        points, _ = samples(pn.quadric("parabolic_cylinder", 2, 1, 2, bounds))
+        assert (points[:, 2] >= bounds["z"][0] - 1e-14).all()
+        assert (points[:, 2] <= bounds["z"][1] + 1e-14).all()
+    refused("region_empty", lambda: pn.quadric("parabolic_cylinder", 2, 1, 2,
+                                               {"x": (-1, 1), "y": (0, 1), "z": (-1, 0)}))
 
 
 def test_not_rational():

@@ -256,6 +256,9 @@ def test_refusals_name_their_reason():
         "curves_meet", lambda: pn.ruled_surface(line([0, 0, 0], [2, 0, 0]),
                                                 line([1, -1, 0], [1, 1, 0])))
     refused("zero_length", lambda: pn.ruled_surface(line([0, 0, 1], [0, 0, 1]), high))
+    assert "parameter 0.5" in refused(
+        "pinched", lambda: pn.ruled_surface(line([0, 0, 0], [2, 0, 0]),
+                                            line([2, 1, 0], [1, 1, -1], [0, 1, 0])))
     corner = pn.Curve.bspline(1, [0, 1, 2], [2, 1, 2], [[0, 0, 0], [1, 0, 0], [2, 1, 0]])
     assert "parameter 1" in refused("corner_too_sharp", lambda: pn.ruled_surface(corner, high))
     refused("not_finite", lambda: pn.ruled_surface(low, high).offset(float("nan")))

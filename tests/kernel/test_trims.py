@@ -41,6 +41,15 @@ REGIONS = [
     ("elliptic_paraboloid", 3, 2, 1, {"x": (-1, 1.5), "y": (-1, 1)}),
     ("hyperbolic_paraboloid", 3, 2, 1, {"x": (-1, 1.5), "y": (-1, 1)}),
     ("hyperbolic_paraboloid", 3, 2, 1, {"x": (-1, 1), "y": (-1, 1), "angle": (0, 1)}),
+    ("hyperbolic_paraboloid", 3, 2, 1, {"x": (-1, 1.5), "y": (-1, 1), "z": (-0.125, 0.0625)}),
+    ("one_sheet_hyperboloid", 3, 2, 3, {"z": (-1, 2), "x": (1, 4)}),
+    ("one_sheet_hyperboloid", 3, 2, 3, {"z": (-1, 2), "x": (0, 2), "y": (0.5, 3)}),
+    ("elliptic_cylinder", 2, 2, 1, {"z": (-1, 2), "angle": (0.2, 5)}),
+    ("elliptic_cylinder", 2, 2, 1, {"z": (-1, 2), "x": (-1, 1.5), "y": (0, 3)}),
+    ("elliptic_cone", 2, 2, 3, {"z": (1, 2), "angle": (0.2, 2)}),
+    ("elliptic_cone", 2, 2, 3, {"z": (1, 2), "x": (-1, 1)}),
+    # The box touches the rim.
+    ("elliptic_paraboloid", 3, 2, 1, {"x": (-3, 3), "y": (-2, 2), "z": (-1, 1)}),
 ]
 
 

@@ -8,7 +8,7 @@ import Part
 from FreeCAD import Placement, Rotation, Vector
 from support import RADII, DocumentTest, surface_data
 
-from pnsurfaces import export_step, make_canal_surface
+from pnsurfaces import export_step, make_canal_surface, make_quadric_offset
 
 
 def _periodic(surface):
@@ -62,6 +62,60 @@ class StepFiles(DocumentTest):
         export_step([pipe], self.file)
         for vertex in Part.read(self.file).Vertexes:
             self.assertAlmostEqual(math.hypot(vertex.X - 100, vertex.Y), 2, delta=1e-12)
+
+    def test_the_answer_says_what_was_compared(self):
+        solid = make_canal_surface(self.line_object(10), 2, Output="Solid")
+        sentence = export_step([solid], self.file)
+        self.assertRegex(sentence, r"^horn\.step \(AP214, \d+ kB\) was read back and is the same: ")
+        self.assertIn("faces 3, B-spline faces 1 with", sentence)
+        self.assertIn(f"{solid.Poles} poles, bit for bit", sentence)
+        self.assertIn("volume 125.663706", sentence)
+
+    def test_parametric_curves_are_a_choice(self):
+        for wanted in (True, False):
+            export_step([self.obj], self.file, parametric_curves=wanted)
+            with open(self.file, encoding="ascii") as file:
+                self.assertEqual("PCURVE" in file.read(), wanted)
+
+    def test_what_does_not_come_back_is_refused(self):
+        """Without parametric curves OpenCASCADE loses part of this face near its pole."""
+        cup = make_quadric_offset("Two-sheet hyperboloid", 30, 20, 10, -1, bounds={"z": (0, 14)})
+        export_step([cup], self.file)
+        with open(self.file, "rb") as file:
+            kept = file.read()
+        with self.assertRaisesRegex(RuntimeError, "Face 1 has the area .* Write the parametric"):
+            export_step([cup], self.file, parametric_curves=False)
+        with open(self.file, "rb") as file:
+            self.assertEqual(file.read(), kept)
+
+    def test_offset_surfaces_are_refused(self):
+        spline = self.obj.Shape.Faces[0].Surface
+        offset = self.shape_object(Part.OffsetSurface(spline, 0.5).toShape())
+        with self.assertRaisesRegex(RuntimeError, "Face 1 is an offset surface"):
+            export_step([offset], self.file)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_shapes_of_other_kinds_come_back_too(self):
+        others = [
+            self.document.addObject(f"Part::{kind}", kind)
+            for kind in ("Box", "Sphere", "Cone", "Torus")
+        ]
+        self.document.recompute()
+        sentence = export_step([*others, self.obj], self.file)
+        self.assertIn("B-spline faces 2", sentence)
+
+    def test_progress_reaches_the_end_and_may_stop(self):
+        parts = []
+        export_step([self.obj], self.file, progress=parts.append)
+        self.assertEqual(parts, sorted(parts))
+        self.assertAlmostEqual(parts[-1], 1)
+
+        def stop(part):
+            raise KeyboardInterrupt
+
+        with self.assertRaises(KeyboardInterrupt):
+            export_step([self.obj], str(self.folder / "other.step"), progress=stop)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["horn.step"])
 
     def test_nothing_to_export(self):
         with self.assertRaisesRegex(ValueError, "no object"):

@@ -206,7 +206,7 @@ class Regions(QuadricOffsetTest):
         region = {"x": (-6, 10), "y": (-6, 6)}
         caps = make_quadric_offset("Ellipsoid", 20, 15, 10, 1, bounds=region)
         self.assert_valid(caps)
-        self.assertEqual([len(shell.Faces) for shell in caps.Shape.Shells], [1, 1])
+        self.assertEqual(len(caps.Shape.Shells), 2)
         low, high = sorted([v.Z for v in shell.Vertexes] for shell in caps.Shape.Shells)
         self.assertGreater(min(high), 0)
         self.assertAlmostEqual(min(high), -max(low), delta=1e-9)

@@ -6,8 +6,16 @@ document opens, with its stored shapes, without it.
 """
 
 from pnsurfaces.canal_surface import make_canal_surface
+from pnsurfaces.certificate_report import certificate, write_certificate
 from pnsurfaces.export import export_step
 from pnsurfaces.quadric_offset import make_quadric_offset
 from pnsurfaces.ruled_offset import make_ruled_offset
 
-__all__ = ["export_step", "make_canal_surface", "make_quadric_offset", "make_ruled_offset"]
+__all__ = [
+    "certificate",
+    "export_step",
+    "make_canal_surface",
+    "make_quadric_offset",
+    "make_ruled_offset",
+    "write_certificate",
+]

@@ -1,72 +1,33 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of a canal surface: spine and radius law."""
+"""The task panel of a canal surface: spine, radius law and wall."""
 
 import FreeCAD
 import FreeCADGui
 import numpy as np
 
-from pnsurfaces.compat import QtCore, connect
+from pnsurfaces.canal_surface import BORE, WALL, spine_of
+from pnsurfaces.compat import QtCore, QtGui, QtWidgets, connect
 from pnsurfaces.kernel import KernelMissing
+from pnsurfaces.linked_shape import depends_on
 from pnsurfaces.panel import TaskPanel, load_form, title
-from pnsurfaces.radius_law import BEZIER_COEFFICIENTS, INPUTS_OF_LAW, LINEAR, VALUES_AT_VERTICES
+from pnsurfaces.position import ARC_LENGTH, VERTEX, measure
+from pnsurfaces.radius_law import (
+    BEZIER_COEFFICIENTS,
+    EXPRESSION,
+    FITTED_LAWS,
+    INPUTS_OF_LAW,
+    LINEAR,
+    PROFILE,
+    TABLE,
+    VALUES_AT_VERTICES,
+)
+from pnsurfaces.radius_table import RadiusTable, length_column, number_column
 from pnsurfaces.selection import selected_spine
-from pnsurfaces.spine import read_spine
 
 translate = FreeCAD.Qt.translate
 
-
-class RadiiModel(QtCore.QAbstractTableModel):
-    """A column of radii, shown and typed as lengths in the user's units."""
-
-    edited = QtCore.Signal()
-
-    def __init__(self):
-        super().__init__()
-        self.radii = []
-        self._row_name = ""
-
-    def show(self, radii, row_name):
-        """Replaces the column. `row_name` has a {} for the number of the row."""
-        self.beginResetModel()
-        self.radii = list(radii)
-        self._row_name = row_name
-        self.endResetModel()
-
-    def rowCount(self, parent=QtCore.QModelIndex()):
-        return len(self.radii)
-
-    def columnCount(self, parent=QtCore.QModelIndex()):
-        return 1
-
-    def flags(self, index):
-        return super().flags(index) | QtCore.Qt.ItemIsEditable
-
-    def headerData(self, section, orientation, role=QtCore.Qt.DisplayRole):
-        if role != QtCore.Qt.DisplayRole:
-            return None
-        if orientation == QtCore.Qt.Horizontal:
-            return translate("PNSurfaces", "Radius")
-        return self._row_name.format(section + 1)
-
-    def data(self, index, role=QtCore.Qt.DisplayRole):
-        radius = FreeCAD.Units.Quantity(self.radii[index.row()], FreeCAD.Units.Length)
-        if role == QtCore.Qt.DisplayRole:
-            return radius.UserString
-        if role == QtCore.Qt.EditRole:
-            _, factor, unit = radius.getUserPreferred()
-            return f"{radius.Value / factor!r} {unit}"
-        return None
-
-    def setData(self, index, value, role=QtCore.Qt.EditRole):
-        """Takes a typed length, refuses all else."""
-        try:
-            radius = _length(value)
-        except ValueError:
-            return False
-        self.radii[index.row()] = radius
-        self.dataChanged.emit(index, index)
-        self.edited.emit()
-        return True
+# Decimals of the tolerance of fits: the default is the fifth.
+_TOLERANCE_DECIMALS = 7
 
 
 class CanalSurfacePanel(TaskPanel):
@@ -74,60 +35,110 @@ class CanalSurfacePanel(TaskPanel):
 
     def __init__(self, feature):
         self._inputs = load_form("canal_surface")
+        self._inputs.FitTolerance.setProperty("decimals", _TOLERANCE_DECIMALS)
         super().__init__(feature, self._inputs)
-        self.record("Spine")
-        self.record("Radii")
+        for name in ("Spine", "Radii", "Positions", "Profile"):
+            self.record(name)
         self._spine = None
-        self.radii = RadiiModel()
-        self.radii.edited.connect(self._assign_radii)
-        self._inputs.radii.setModel(self.radii)
-        connect(self._inputs.use_selection, "clicked()", self.use_selection)
-        connect(self._inputs.RadiusLaw, "currentTextChanged(QString)", self._show_radius_law)
-        connect(self._inputs.add_coefficient, "clicked()", self._add_coefficient)
-        connect(self._inputs.remove_coefficient, "clicked()", self._remove_coefficient)
-        self._show_spine()
+        self.table = RadiusTable()
+        self.table.edited.connect(self._assign_table)
+        self._inputs.radii.setModel(self.table)
+        self._paste_key = QtGui.QShortcut(QtGui.QKeySequence.Paste, self._inputs.radii)
+        self._paste_key.setContext(QtCore.Qt.WidgetShortcut)
+        for sender, signal, slot in (
+            (self._inputs.use_selection, "clicked()", self.use_selection),
+            (self._inputs.use_profile, "clicked()", self.use_profile),
+            (self._inputs.RadiusLaw, "currentTextChanged(QString)", self._show_radius_law),
+            (self._inputs.PositionBy, "currentTextChanged(QString)", self._change_measure),
+            (self._inputs.Hollow, "currentTextChanged(QString)", self._show_wall),
+            (self._inputs.add_row, "clicked()", self._add_row),
+            (self._inputs.remove_row, "clicked()", self._remove_row),
+            (self._inputs.paste_rows, "clicked()", self._paste_all),
+            (self._paste_key, "activated()", self._paste_at_current_row),
+        ):
+            connect(sender, signal, slot)
+        self._measure = feature.PositionBy
+        self._show_profile()
+        self._show_wall()
         self._show_radius_law()
 
     def use_selection(self):
         """Makes the current selection the spine."""
-        spine = selected_spine(FreeCADGui.Selection.getSelectionEx())
-        if spine is None or spine[0] == self.feature:
-            self._inputs.spine.setText(
-                translate("PNSurfaces", "Select edges of one object, a wire or a sketch first.")
-            )
-            return
-        self.assign("Spine", spine)
-        self._show_spine()
-        self._show_radius_law()
+        spine = self._selected(self._inputs.spine)
+        if spine:
+            self.assign("Spine", spine)
+            self._show_radius_law()
+
+    def use_profile(self):
+        """Makes the current selection the profile."""
+        profile = self._selected(self._inputs.profile)
+        if profile:
+            self.assign("Profile", profile)
+            self._show_profile()
+
+    def _selected(self, label):
+        """The selected edges, or None after saying on the label what to select."""
+        link = selected_spine(FreeCADGui.Selection.getSelectionEx())
+        if link is None:
+            sentence = "Select edges of one object, a wire or a sketch first."
+        elif depends_on(link[0], self.feature):
+            sentence = "What is selected is made from this surface itself."
+        else:
+            return link
+        label.setText(translate("PNSurfaces", sentence))
+        return None
 
     def _show_spine(self):
         self._spine = None
         if not self.feature.Spine:
             self._inputs.spine.setText(translate("PNSurfaces", "No spine"))
             return
-        source, names = self.feature.Spine
         try:
-            container = self.feature.getParentGeoFeatureGroup()
-            self._spine = read_spine(source, names, container)
+            self._spine = spine_of(self.feature, *self.feature.Spine)
             recognised = _description(self._spine)
         except (ValueError, KernelMissing) as error:
             recognised = str(error)
         self._inputs.spine.setText(f"<b>{title(self.feature.Spine)}</b><br>{recognised}")
 
-    def _show_radius_law(self):
-        law = self.feature.RadiusLaw
-        by_values = "Radii" in INPUTS_OF_LAW[law]
-        self._inputs.Radius.setVisible(not by_values)
-        for widget in (self._inputs.start, self._inputs.end, self._inputs.EndRadius):
-            widget.setVisible(law == LINEAR)
-        self._inputs.radii.setVisible(by_values)
-        self._inputs.coefficient_buttons.setVisible(law == BEZIER_COEFFICIENTS)
-        if by_values:
-            self._fit_radii()
-            self._show_radii()
+    def _show_profile(self):
+        profile = self.feature.Profile
+        name = f"<b>{title(profile)}</b>" if profile else translate("PNSurfaces", "No profile")
+        self._inputs.profile.setText(name)
 
-    def _fit_radii(self):
-        """Keeps the shape of the law when it needs another number of radii."""
+    def _show_wall(self):
+        form, hollow = self._inputs, self.feature.Hollow
+        _show(hollow == WALL, form.wall_label, form.WallThickness)
+        _show(hollow == BORE, form.bore_label, form.InnerRadius)
+
+    def _show_radius_law(self):
+        self._show_spine()
+        form, law = self._inputs, self.feature.RadiusLaw
+        inputs = INPUTS_OF_LAW[law]
+        _show("Radius" in inputs, form.Radius)
+        _show(law == LINEAR, form.start, form.end, form.EndRadius)
+        _show("PositionBy" in inputs, form.position_label, form.PositionBy)
+        _show(law == EXPRESSION, form.RadiusExpression)
+        _show(law == PROFILE, form.profile_label, form.profile, form.use_profile)
+        _show("Radii" in inputs, form.radii)
+        _show(law in (BEZIER_COEFFICIENTS, TABLE), form.row_buttons)
+        fitted = law in FITTED_LAWS or bool(self._spine and self._spine.fits)
+        _show(fitted, form.tolerance_label, form.FitTolerance)
+        if "Radii" in inputs:
+            self._fit_table()
+            self._show_table()
+
+    def _change_measure(self):
+        """Keeps the places of the rows, as nearly as the two measures allow."""
+        before, self._measure = self._measure, self.feature.PositionBy
+        if self._spine and self.feature.Positions:
+            old, new = measure(self._spine, before), measure(self._spine, self._measure)
+            shares = (np.array(self.feature.Positions) - old.start) / (old.end - old.start)
+            positions = new.start + shares * (new.end - new.start)
+            self.assign("Positions", list(_whole(positions, self._measure)))
+        self._show_radius_law()
+
+    def _fit_table(self):
+        """Keeps the shape of the law when it needs another number of radii, or positions."""
         radii = self.feature.Radii or [self.feature.Radius.Value] * 2
         if self.feature.RadiusLaw == VALUES_AT_VERTICES and self._spine:
             radii = _resampled(radii, len(self._spine.curve.breaks))
@@ -135,14 +146,30 @@ class CanalSurfacePanel(TaskPanel):
             radii = radii[:-1] + radii[:1]
         if radii != self.feature.Radii:
             self.assign("Radii", radii)
+        if self.feature.RadiusLaw == TABLE and self._spine:
+            self._fit_positions(len(radii))
 
-    def _show_radii(self):
-        if self.feature.RadiusLaw == BEZIER_COEFFICIENTS:
-            self.radii.show(self.feature.Radii, translate("PNSurfaces", "Coefficient {}"))
+    def _fit_positions(self, count):
+        if len(self.feature.Positions) != count:
+            scale = measure(self._spine, self.feature.PositionBy)
+            positions = np.linspace(scale.start, scale.end, count)
+            self.assign("Positions", list(_whole(positions, self.feature.PositionBy)))
+
+    def _show_table(self):
+        radius = length_column(translate("PNSurfaces", "Radius"))
+        if self.feature.RadiusLaw == TABLE:
+            is_length = self.feature.PositionBy == ARC_LENGTH
+            column = length_column if is_length else number_column
+            rows = zip(self.feature.Positions, self.feature.Radii)
+            self.table.show(rows, [column(translate("PNSurfaces", "Position")), radius])
+        elif self.feature.RadiusLaw == BEZIER_COEFFICIENTS:
+            rows = [[coefficient] for coefficient in self.feature.Radii]
+            self.table.show(rows, [radius], translate("PNSurfaces", "Coefficient {}"))
         else:
             # The last vertex of a closed spine is its first one.
             count = len(self.feature.Radii) - self._joins_first_vertex()
-            self.radii.show(self.feature.Radii[:count], translate("PNSurfaces", "Vertex {}"))
+            rows = [[value] for value in self.feature.Radii[:count]]
+            self.table.show(rows, [radius], translate("PNSurfaces", "Vertex {}"))
 
     def _joins_first_vertex(self):
         return (
@@ -151,17 +178,68 @@ class CanalSurfacePanel(TaskPanel):
             and self._spine.closed
         )
 
-    def _assign_radii(self):
-        again = self.radii.radii[:1] if self._joins_first_vertex() else []
-        self.assign("Radii", self.radii.radii + again)
+    def _assign_table(self):
+        radii = self.table.column(-1)
+        again = radii[:1] if self._joins_first_vertex() else []
+        self.assign("Radii", radii + again)
+        if self.feature.RadiusLaw == TABLE:
+            self.assign("Positions", self.table.column(0))
 
-    def _add_coefficient(self):
-        self.assign("Radii", self.feature.Radii + self.feature.Radii[-1:])
-        self._show_radii()
+    def _assign_rows(self, rows):
+        self.table.rows = rows
+        self._assign_table()
+        self._show_table()
 
-    def _remove_coefficient(self):
-        self.assign("Radii", self.feature.Radii[:-1] or self.feature.Radii)
-        self._show_radii()
+    def _current_row(self):
+        row = self._inputs.radii.currentIndex().row()
+        return row if row >= 0 else len(self.table.rows) - 1
+
+    def _add_row(self):
+        """A row below the current one, halfway to the next."""
+        rows, current = self.table.rows, self._current_row()
+        near = rows[max(current, 0) : current + 2] if len(rows) > 1 else rows
+        self._assign_rows(
+            [*rows[: current + 1], list(np.mean(near, axis=0)), *rows[current + 1 :]]
+        )
+
+    def _remove_row(self):
+        rows, current = self.table.rows, self._current_row()
+        if len(rows) > 1:
+            self._assign_rows(rows[:current] + rows[current + 1 :])
+
+    def _paste_all(self):
+        rows = self._copied_rows()
+        if rows:
+            self._assign_rows(rows)
+
+    def _paste_at_current_row(self):
+        """Overwrites rows from the current one on; only vertices are as many as they are."""
+        rows, current = self._copied_rows(), self._current_row()
+        if rows:
+            pasted = self.table.rows[:current] + rows + self.table.rows[current + len(rows) :]
+            fixed = self.feature.RadiusLaw == VALUES_AT_VERTICES
+            self._assign_rows(pasted[: len(self.table.rows)] if fixed else pasted)
+
+    def _copied_rows(self):
+        """The rows on the clipboard, none after saying what is wrong with them."""
+        try:
+            return self.table.read_rows(QtWidgets.QApplication.clipboard().text())
+        except ValueError:
+            self.explain(
+                translate("PNSurfaces", "The clipboard has no table of {} columns of numbers.")
+                .format(self.table.columnCount())
+            )
+            return []
+
+
+def _show(visible, *widgets):
+    for widget in widgets:
+        widget.setVisible(visible)
+
+
+def _whole(positions, name):
+    """Positions that count vertices are whole numbers."""
+    return np.round(positions) if name == VERTEX else positions
 
 
 def _resampled(radii, count):
@@ -171,23 +249,13 @@ def _resampled(radii, count):
     return list(np.interp(np.linspace(0, 1, count), np.linspace(0, 1, len(radii)), radii))
 
 
-def _length(text):
-    """The millimetres of a typed length. A bare number is one in the unit that is shown.
-
-    Raises ValueError when the text is no length.
-    """
-    quantity = FreeCAD.Units.Quantity(text)
-    if quantity.Unit == FreeCAD.Units.Length:
-        return quantity.Value
-    _, factor, _ = FreeCAD.Units.Quantity(1, FreeCAD.Units.Length).getUserPreferred()
-    return float(text) * factor
-
-
 def _description(spine):
     spans = len(spine.curve.breaks) - 1
     text = (
-        translate("PNSurfaces", "Degree {}, spans {}, vertices {}, closed")
+        translate("PNSurfaces", "Degree {}, spans {}, vertices {}, closed, {}")
         if spine.closed
-        else translate("PNSurfaces", "Degree {}, spans {}, vertices {}")
+        else translate("PNSurfaces", "Degree {}, spans {}, vertices {}, {}")
     )
-    return text.format(spine.curve.degree, spans, spans if spine.closed else spans + 1)
+    length = FreeCAD.Units.Quantity(spine.length, FreeCAD.Units.Length).UserString
+    vertices = spans if spine.closed else spans + 1
+    return text.format(spine.curve.degree, spans, vertices, length)

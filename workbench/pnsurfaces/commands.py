@@ -5,8 +5,11 @@ import FreeCAD
 import FreeCADGui
 
 from pnsurfaces import kernel, preferences
+from pnsurfaces.analysis_commands import analysis_commands
+from pnsurfaces.certificate_panel import CertificatePanel
 from pnsurfaces.compat import QtCore, QtWidgets
 from pnsurfaces.edge_chain import end, read_edge_chain, start
+from pnsurfaces.export_path import ask_export_path
 from pnsurfaces.panel import literal
 from pnsurfaces.selection import selected_face, selected_pair, selected_spine
 
@@ -160,32 +163,75 @@ class ExportStepCommand:
 
     def Activated(self):
         objects = FreeCADGui.Selection.getSelection()
-        path, _ = QtWidgets.QFileDialog.getSaveFileName(
-            FreeCADGui.getMainWindow(),
+        path = ask_export_path(
             translate("PNSurfaces", "STEP export"),
             f"{objects[0].Label}.step",
             translate("PNSurfaces", "STEP files (*.step *.stp)"),
         )
         if not path:
             return
-        schema = preferences.step_schema()
+        options = (
+            f"schema={preferences.step_schema()!r},"
+            f" parametric_curves={preferences.step_parametric_curves()!r}"
+        )
         FreeCADGui.doCommand("import pnsurfaces")
         try:
             FreeCADGui.doCommand(
-                f"pnsurfaces.export_step({literal(objects)}, {path!r}, schema={schema!r})"
+                f"pnsurfaces.export_step({literal(objects)}, {path!r}, {options})"
             )
+        except FreeCAD.Base.FreeCADAbort:
+            FreeCAD.Console.PrintMessage(translate("PNSurfaces", "STEP export cancelled.") + "\n")
         except Exception as error:
             _explain(str(error))
 
 
+class CertificateCommand:
+    """Shows the certificate of the selected objects in a panel."""
+
+    name = "PNSurfaces_Certificate"
+
+    def GetResources(self):
+        return {
+            "Pixmap": self.name,
+            "MenuText": QT_TRANSLATE_NOOP("PNSurfaces_Certificate", "Certificate…"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "PNSurfaces_Certificate",
+                "Shows what is proved and measured of the selected surfaces,"
+                " to read, copy and save",
+            ),
+        }
+
+    def IsActive(self):
+        return bool(FreeCADGui.Selection.getSelection()) and not FreeCADGui.Control.activeDialog()
+
+    def Activated(self):
+        try:
+            panel = CertificatePanel(FreeCADGui.Selection.getSelection())
+        except kernel.KernelMissing as error:
+            _explain(str(error))
+            return
+        FreeCADGui.Control.showDialog(panel)
+
+
 def register():
     """Makes the commands known to FreeCAD and returns their names, in the order of the toolbar."""
-    commands = [
-        CanalSurfaceCommand(),
-        RuledOffsetCommand(),
-        QuadricOffsetCommand(),
-        ExportStepCommand(),
-    ]
+    return _registered(
+        [
+            CanalSurfaceCommand(),
+            RuledOffsetCommand(),
+            QuadricOffsetCommand(),
+            CertificateCommand(),
+            ExportStepCommand(),
+        ]
+    )
+
+
+def register_analysis():
+    """The same for the commands of the toolbar of analyses."""
+    return _registered(analysis_commands())
+
+
+def _registered(commands):
     for command in commands:
         FreeCADGui.addCommand(command.name, command)
     return [command.name for command in commands]

@@ -9,7 +9,13 @@ import FreeCAD
 
 from pnsurfaces.edge_chain import CONFUSION
 from pnsurfaces.kernel import KernelMissing
-from pnsurfaces.shape import measured, solid_of_sections, storage_loss, surface_of_sections
+from pnsurfaces.shape import (
+    measured,
+    own_shape,
+    solid_of_sections,
+    storage_loss,
+    surface_of_sections,
+)
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -51,13 +57,24 @@ class Base(NamedTuple):
     """The kernel's surface at distance 0, and what had to be found out about the input.
 
     `notes` are sentences on what was done to the input; `exact` is whether nothing of it was
-    fitted; `results` are values of the subclass's own result properties, by name.
+    fitted; `results` are values of the subclass's own result properties, by name; `deviation` is
+    how far fits move the surface at most, in mm.
     """
 
     surface: Any
     notes: tuple = ()
     exact: bool = True
     results: Any = MappingProxyType({})
+    deviation: float = 0.0
+
+
+class Sections(NamedTuple):
+    """What a feature shows: its Base and, for each distance, surface, faces and certificate."""
+
+    base: Base
+    surfaces: list
+    faces: list
+    certificates: list
 
 
 class Property(NamedTuple):
@@ -101,7 +118,8 @@ RESULTS = (
            QT_TRANSLATE_NOOP("App::Property", "Number of poles of all faces")),
     result("App::PropertyString", "Deviation",
            QT_TRANSLATE_NOOP("App::Property",
-                             "Proven bound on the distance to the true surface")),
+                             "Bound on the distance to the true surface; proven, but for"
+                             " fits that are said to be measured")),
     # The property editor would show it as 0.00.
     Property("App::PropertyFloat", "DeviationBound", "Result",
              QT_TRANSLATE_NOOP("App::Property", "The same bound as a number, in millimetres"),
@@ -151,6 +169,10 @@ class FeatureBase:
         """The surface at distance 0 (Base), from the subclass's inputs."""
         raise NotImplementedError
 
+    def sections(self, obj, surface):
+        """The sections of the surface at distance 0 that are shown, the innermost first."""
+        return [surface.offset(distance) for distance in _distances(obj)]
+
     def solid(self, obj, sections):
         """The solid inside one section or between two: lists of faces, the innermost first."""
         return solid_of_sections(sections)
@@ -182,16 +204,21 @@ class FeatureBase:
             obj.DeviationBound = float(obj.Deviation.removesuffix(" mm"))
         self._restore_digits(obj)
 
+    def exact_sections(self, obj):
+        """The Sections of the present inputs, whatever the shape shows."""
+        base = self.base(obj)
+        surfaces = self.sections(obj, base.surface)
+        lines = PARAMETER_LINES[obj.ParameterLines]
+        faces = [surface.bsplines(lines=lines) for surface in surfaces]
+        return Sections(
+            base, surfaces, faces, [surface.certificate_of(lines) for surface in surfaces]
+        )
+
     def _computed(self, obj):
         """The shape and the values of the result properties, by name."""
-        base = self.base(obj)
-        distances = _distances(obj)
-        sections = [base.surface.offset(distance) for distance in distances]
-        lines = PARAMETER_LINES[obj.ParameterLines]
-        faces = [section.bsplines(lines=lines) for section in sections]
-        certificates = [section.certificate_of(lines) for section in sections]
+        base, surfaces, faces, certificates = self.exact_sections(obj)
         shape = self.solid(obj, faces) if obj.Output == SOLID else surface_of_sections(faces)
-        return shape, {**_results(base, sections, faces, certificates), **base.results}
+        return shape, {**_results(base, surfaces, faces, certificates), **base.results}
 
     def _restore_digits(self, obj):
         """Replaces a shape that lost digits in the file by the exact one, and no other shape."""
@@ -199,9 +226,7 @@ class FeatureBase:
             exact, _ = self._computed(obj)
         except (ValueError, KernelMissing):
             return  # Nothing to compare with: the stored shape stays, as after a failed recompute.
-        stored = obj.Shape.copy(False)
-        stored.Placement = FreeCAD.Placement()
-        if 0 < storage_loss(stored, exact) <= STORED_RESOLUTION:
+        if 0 < storage_loss(own_shape(obj), exact) <= STORED_RESOLUTION:
             exact.Placement = obj.Placement
             obj.Shape = exact
             obj.purgeTouched()
@@ -296,7 +321,8 @@ def _results(base, sections, faces, certificates):
     """The values of the result properties that all features have, by name."""
     notes = [*base.notes, *(note for certificate in certificates for note in certificate.notes)]
     every_face = [face for section_faces in faces for face in section_faces]
-    bound = _rounded_up(max(certificate.deviation for certificate in certificates))
+    rounding = max(certificate.deviation for certificate in certificates)
+    bound = _rounded_up(rounding + base.deviation)
     trim_deviation = max(certificate.trim_deviation for certificate in certificates)
     low, high = base.surface.regular_range
     notes = list(dict.fromkeys(notes))

@@ -37,6 +37,34 @@ def only_face(link, container=None):
     return faces[0]
 
 
+def depends_on(obj, other):
+    """Whether a document object is another one, or made from it."""
+    return obj == other or bool(_path(obj, other))
+
+
+def circle_through(obj):
+    """The objects [obj, ..., obj] of a circle of links that starts at obj, or an empty list."""
+    return _path(obj, obj)
+
+
+def _path(obj, goal):
+    """The objects [obj, ..., goal], each made from the next, or an empty list.
+
+    FreeCAD's own lists of sources raise where links go round in a circle.
+    """
+    reached = {obj: [obj]}
+    waiting = [obj]
+    while waiting:
+        current = waiting.pop()
+        for source in current.OutList:
+            if source == goal:
+                return [*reached[current], goal]
+            if source not in reached:
+                reached[source] = [*reached[current], source]
+                waiting.append(source)
+    return []
+
+
 def _shapes(source, names):
     shapes = [Part.getShape(source, name, needSubElement=True) for name in names or [""]]
     for name, shape in zip(names, shapes):
@@ -51,7 +79,8 @@ def _in_container(shape, source, container):
     # The usual case keeps every double of the source.
     if source_frame == target_frame:
         return shape
-    moved = shape.copy(False)
+    # A copy would lose the curves of edges on surfaces, which say what a helix is.
+    moved = Part.Shape(shape)
     moved.Placement = target_frame.inverse() * source_frame * shape.Placement
     return moved
 

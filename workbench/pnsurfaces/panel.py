@@ -122,6 +122,11 @@ class TaskPanel:
             _range(self.feature.MinOffset.Value, self.feature.MaxOffset.Value)
         )
 
+    def explain(self, sentence):
+        """Says what is wrong with what the user did, where the status is shown."""
+        self._result.status.setText(f"Error: {sentence}")
+        self._result.status.setStyleSheet(_STYLES["Error"])
+
     def accept(self):
         """OK: keeps the surface. Without a surface the panel stays and says why."""
         if self._timer.isActive():
@@ -177,6 +182,8 @@ class TaskPanel:
                 self._bind_enumeration(widget, name)
             elif isinstance(widget, QtWidgets.QCheckBox):
                 self._bind_switch(widget, name)
+            elif isinstance(widget, QtWidgets.QLineEdit):
+                self._bind_text(widget, name)
             else:
                 self._bind_quantity(widget, name)
 
@@ -188,6 +195,10 @@ class TaskPanel:
     def _bind_switch(self, check_box, name):
         check_box.setChecked(getattr(self.feature, name))
         connect(check_box, "toggled(bool)", lambda checked: self.assign(name, checked))
+
+    def _bind_text(self, line_edit, name):
+        line_edit.setText(getattr(self.feature, name))
+        connect(line_edit, "textChanged(QString)", lambda text: self.assign(name, text))
 
     def _bind_quantity(self, spin_box, name):
         FreeCADGui.ExpressionBinding(spin_box).bind(self.feature, name)

@@ -51,7 +51,7 @@ class QuadricForm(NamedTuple):
     def distances(self, points):
         """The distance of each point from the quadric, to first order."""
         local = self.local(points)
-        squares, line, constant = _equation(self.kind, self.axes)
+        squares, line, constant = standard_equation(self.kind, self.axes)
         values = np.abs(local**2 @ squares + local @ line + constant)
         slopes = np.linalg.norm(2 * local * squares + line, axis=1)
         # At the apex of a cone the slope vanishes and the value grows with the squared distance.
@@ -91,7 +91,7 @@ def frame_along(axis):
     return np.column_stack([x, np.cross(z, x), z])
 
 
-def _equation(kind, axes):
+def standard_equation(kind, axes):
     """The standard equation squares.x^2 + line.x + constant = 0: (3,), (3,) and a number."""
     a, b, c = axes
     up = np.array([0, 0, -1 / c])

@@ -132,7 +132,7 @@ class QuadricOffset(FeatureBase):
     def base(self, obj):
         if obj.Kind == OF_FACE:
             return _base_of_face(read_face(obj))
-        name, axes = KINDS[obj.Kind].name, _half_axes(obj)
+        name, axes = KINDS[obj.Kind].name, half_axes(obj)
         surface = kernel.pnkernel().quadric(name, *axes, bounds=_bounds(obj))
         return Base(surface, results={"Recognised": "", "FaceDeviation": ""})
 
@@ -157,7 +157,7 @@ def shown_inputs(obj):
 
 def suitable_bounds(obj):
     """Bounds in proportion to kind and half-axes of a feature QuadricOffset, by property name."""
-    a, b, c = _half_axes(obj)
+    a, b, c = half_axes(obj)
     low, high = KINDS[obj.Kind].heights
     return {
         "MinX": -a / 2, "MaxX": a / 2,
@@ -241,10 +241,10 @@ def _base_of_face(found):
         "FaceDeviation": deviation_text(found.deviation),
         "Placement": found.placement,
     }
-    return Base(surface, tuple(notes), not found.is_fitted(), results)
+    return Base(surface, notes=tuple(notes), exact=not found.is_fitted(), results=results)
 
 
-def _half_axes(obj):
+def half_axes(obj):
     """a, b, c in millimetres."""
     axes = KINDS[obj.Kind].axes
     return [getattr(obj, name if name in axes else AXES[0]).Value for name in AXES]

@@ -5,10 +5,12 @@
 first; corresponding faces have the same parameters.
 """
 
+import FreeCAD
 import numpy as np
 import Part
 
 from pnsurfaces import kernel
+
 
 def surface_of_sections(sections):
     """A shell, or a compound of shells: one for each part of each section."""
@@ -21,13 +23,13 @@ def solid_of_sections(sections):
     Sections of several parts give a compound of solids.
     """
     kind = "capped_solid" if len(sections) == 1 else "thick_solid"
-    return _shape(getattr(kernel.pnocct(), kind)(*sections))
+    return part_shape(getattr(kernel.pnocct(), kind)(*sections))
 
 
 def domed_solid_of_sections(sections):
     """The same with ends closed by the spheres that touch the surfaces there."""
     kind = "domed_solid" if len(sections) == 1 else "domed_thick_solid"
-    return _shape(getattr(kernel.pnocct(), kind)(*sections))
+    return part_shape(getattr(kernel.pnocct(), kind)(*sections))
 
 
 def uncapped_solid_of_sections(sections):
@@ -59,6 +61,13 @@ def measured(shape):
     }
 
 
+def own_shape(obj):
+    """The shape of an object in its own coordinates: its doubles, not moved by the placement."""
+    shape = obj.Shape.copy(False)
+    shape.Placement = FreeCAD.Placement()
+    return shape
+
+
 def storage_loss(stored, exact):
     """The largest difference of corresponding poles in mm; inf when shapes do not correspond."""
     stored_faces, exact_faces = stored.Faces, exact.Faces
@@ -79,7 +88,7 @@ def _difference(a, b):
 
 
 def _shells(faces):
-    return _shape(kernel.pnocct().shell(faces)).Shells
+    return part_shape(kernel.pnocct().shell(faces)).Shells
 
 
 def _together(shapes):
@@ -87,7 +96,8 @@ def _together(shapes):
     return shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
 
 
-def _shape(brep):
+def part_shape(brep):
+    """The Part shape in a BREP text of pnocct."""
     shape = Part.Shape()
     shape.importBrepFromString(brep)
     return shape

@@ -4,6 +4,7 @@
 import FreeCADGui
 
 from pnsurfaces import resources
+from pnsurfaces.analysis import Analysis
 from pnsurfaces.canal_surface import CanalSurface
 from pnsurfaces.canal_surface_panel import CanalSurfacePanel
 from pnsurfaces.quadric_offset import QuadricOffset
@@ -39,6 +40,16 @@ class ViewProviderPNSurface:
     def attach(self, view_object):
         self.object = view_object.Object
         self.panel = None
+        self.analysis = Analysis(view_object)
+
+    def updateData(self, obj, name):
+        if name == "Shape":
+            self.analysis.update()
+
+    def onChanged(self, view_object, name):
+        # FreeCAD reports properties before it attaches the provider, too.
+        if name == "Visibility" and hasattr(self, "analysis"):
+            self.analysis.follow_visibility()
 
     def getIcon(self):
         return resources.icon(f"PNSurfaces_{type(self.object.Proxy).__name__}")

@@ -4,6 +4,7 @@
 import FreeCADGui
 
 from pnsurfaces import commands, resources
+from pnsurfaces.analysis_commands import selected_analyses
 
 
 class PNSurfacesWorkbench(FreeCADGui.Workbench):
@@ -17,6 +18,13 @@ class PNSurfacesWorkbench(FreeCADGui.Workbench):
         names = commands.register()
         self.appendToolbar("PN Surfaces", names)
         self.appendMenu("PN Surfaces", names)
+        self._analyses = commands.register_analysis()
+        self.appendToolbar("PN Analysis", self._analyses)
+        self.appendMenu(["PN Surfaces", "Analysis"], self._analyses)
+
+    def ContextMenu(self, recipient):
+        if selected_analyses():
+            self.appendContextMenu("PN Analysis", [*self._analyses, "PNSurfaces_Certificate"])
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/algebra/ball.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace pn {
@@ -97,6 +98,79 @@ RealBall ComplexBall::imag() const {
   result.precision_ = precision_;
   arb_set(result.value_, acb_imagref(value_));
   return result;
+}
+
+namespace {
+
+const arb_struct& number(const RealBall& x) { return *x.arb(); }
+const acb_struct& number(const ComplexBall& x) { return *x.acb(); }
+
+/// The numbers of balls side by side, as Arb takes vectors; they remain those of the balls.
+template <class Ball>
+auto lent(const std::vector<Ball>& balls) {
+  std::vector<std::decay_t<decltype(number(balls[0]))>> numbers;
+  numbers.reserve(balls.size());
+  for (const Ball& ball : balls) numbers.push_back(number(ball));
+  return numbers;
+}
+
+template <class Ball>
+long precision_of(const std::vector<Ball>& balls) {
+  long precision = RealBall::kFloor;
+  for (const Ball& ball : balls) precision = std::max(precision, ball.precision());
+  return precision;
+}
+
+/// sum += x[0] y[0] + x[1] y[-1] + ...
+void add_backwards(RealBall& sum, arb_srcptr x, arb_srcptr y, slong count, long precision) {
+  arb_dot(sum.arb(), sum.arb(), 0, x, 1, y, -1, count, precision);
+}
+void add_backwards(ComplexBall& sum, acb_srcptr x, acb_srcptr y, slong count, long precision) {
+  acb_dot(sum.acb(), sum.acb(), 0, x, 1, y, -1, count, precision);
+}
+
+template <class Ball>
+void add_product_of(std::vector<Ball>& sum, const std::vector<Ball>& a,
+                    const std::vector<Ball>& b) {
+  const long precision = std::max({precision_of(sum), precision_of(a), precision_of(b)});
+  const auto x = lent(a), y = lent(b);
+  const std::size_t n = x.size() - 1, m = y.size() - 1;
+  for (std::size_t k = 0; k < std::min(sum.size(), n + m + 1); ++k) {
+    const std::size_t first = k > m ? k - m : 0, last = std::min(k, n);
+    sum[k].set_precision(precision);
+    add_backwards(sum[k], &x[first], &y[k - first], static_cast<slong>(last - first + 1),
+                  precision);
+  }
+}
+
+}  // namespace
+
+RealBall dot(const std::vector<RealBall>& a, const std::vector<RealBall>& b) {
+  // Few numbers at once, so that they need no memory of their own.
+  constexpr std::size_t kAtOnce = 8;
+  std::array<arb_struct, kAtOnce> x, y;
+  const long precision = std::max(precision_of(a), precision_of(b));
+  RealBall sum = RealBall().at_precision(precision);
+  for (std::size_t first = 0; first < a.size(); first += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, a.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      x[i] = number(a[first + i]);
+      y[i] = number(b[first + i]);
+    }
+    arb_dot(sum.arb(), sum.arb(), 0, x.data(), 1, y.data(), 1, static_cast<slong>(count),
+            precision);
+  }
+  return sum;
+}
+
+void add_product(std::vector<RealBall>& sum, const std::vector<RealBall>& a,
+                 const std::vector<RealBall>& b) {
+  add_product_of(sum, a, b);
+}
+
+void add_product(std::vector<ComplexBall>& sum, const std::vector<ComplexBall>& a,
+                 const std::vector<ComplexBall>& b) {
+  add_product_of(sum, a, b);
 }
 
 }  // namespace pn

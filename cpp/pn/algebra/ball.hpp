@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <complex>
 #include <optional>
+#include <vector>
 
 #include "pn/algebra/rational.hpp"
 
@@ -140,6 +141,8 @@ class RealBall {
 
   arb_struct* arb() { return value_; }
   const arb_struct* arb() const { return value_; }
+  /// For results computed through arb(): the precision they carry from here on.
+  void set_precision(long bits) { precision_ = bits; }
 
  private:
   friend class ComplexBall;
@@ -264,5 +267,16 @@ class ComplexBall {
 
 /// The principal square root.
 ComplexBall sqrt(const ComplexBall& z);
+
+/// a_0 b_0 + a_1 b_1 + ..., rounded seldom: several times as fast as term by term. (F. Johansson,
+/// Faster arbitrary-precision dot product and matrix multiplication, ARITH 26, 2019.)
+RealBall dot(const std::vector<RealBall>& a, const std::vector<RealBall>& b);
+
+/// sum_k += a_0 b_k + a_1 b_(k-1) + ... + a_k b_0, rounded likewise: a product of polynomials, or
+/// as many of its coefficients as the sum has. Neither factor is empty.
+void add_product(std::vector<RealBall>& sum, const std::vector<RealBall>& a,
+                 const std::vector<RealBall>& b);
+void add_product(std::vector<ComplexBall>& sum, const std::vector<ComplexBall>& a,
+                 const std::vector<ComplexBall>& b);
 
 }  // namespace pn

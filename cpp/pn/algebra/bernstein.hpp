@@ -6,11 +6,16 @@
 // for the Bernstein coefficients b of sum a_i t^i. Scaled by the binomials the change of basis is
 // repeated addition of neighbours, and its inverse repeated subtraction: exact over Q, enclosing
 // over balls. (G. Farin, Curves and Surfaces for CAGD, 5th ed. 2002, section 6.6.)
+//
+// Written as b_j = j! / n!^2 sum_i ((n - i)! a_i) (n! / (j - i)!) it is a convolution, for which
+// balls have fast sums of products.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
+
+#include "pn/algebra/ball.hpp"
 
 namespace pn {
 
@@ -64,5 +69,19 @@ std::vector<T> from_bernstein(std::vector<T> bernstein) {
                            });
   return bernstein;
 }
+
+/// to_bernstein for many polynomials of one degree over balls, as a convolution.
+class BernsteinOfBalls {
+ public:
+  BernsteinOfBalls(int degree, long precision);
+
+  /// The coefficients of a polynomial of this degree in powers, ascending.
+  std::vector<RealBall> operator()(std::vector<RealBall> power) const;
+
+ private:
+  std::vector<RealBall> factorial_;  ///< i!
+  std::vector<RealBall> falling_;    ///< n! / i!
+  std::vector<RealBall> scale_;      ///< i! / n!^2
+};
 
 }  // namespace pn

@@ -34,6 +34,14 @@ inline void add_product(ComplexBall& sum, const ComplexBall& a, const ComplexBal
 }
 inline void add_product(Rational& sum, const Rational& a, const Rational& b) { sum += a * b; }
 
+/// The same of polynomials by their coefficients; of balls in ball.hpp.
+template <class T>
+void add_product(std::vector<T>& sum, const std::vector<T>& a, const std::vector<T>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) add_product(sum[i + j], a[i], b[j]);
+  }
+}
+
 template <class T>
 class Form {
  public:
@@ -57,6 +65,17 @@ class Form {
       value += coefficients_[i];
     }
     return value;
+  }
+  /// The derivative by t at t, with s = 1.
+  T slope(const T& t) const {
+    T value{}, slope{};
+    for (std::size_t i = coefficients_.size(); i-- > 0;) {
+      slope *= t;
+      slope += value;
+      value *= t;
+      value += coefficients_[i];
+    }
+    return slope;
   }
   /// The coefficient of t^degree: the value at infinity (t : s) = (1 : 0).
   T at_infinity() const { return coefficients_.empty() ? T{} : coefficients_.back(); }
@@ -100,6 +119,14 @@ class Form {
       coefficients_[i] -= other.coefficients_[i];
     return *this;
   }
+  /// *this += a b; in the sum the smaller formal degree is raised.
+  Form& add_product(const Form& a, const Form& b) {
+    if (a.coefficients_.empty() || b.coefficients_.empty()) return *this;
+    const std::size_t size = a.coefficients_.size() + b.coefficients_.size() - 1;
+    if (coefficients_.size() < size) coefficients_.resize(size);
+    pn::add_product(coefficients_, a.coefficients_, b.coefficients_);
+    return *this;
+  }
   friend Form operator+(Form a, const Form& b) { return std::move(a += b); }
   friend Form operator-(Form a, const Form& b) { return std::move(a -= b); }
   friend Form operator*(Form a, const T& factor) {
@@ -107,11 +134,8 @@ class Form {
     return a;
   }
   friend Form operator*(const Form& a, const Form& b) {
-    if (a.coefficients_.empty() || b.coefficients_.empty()) return Form();
-    Form result = zero(a.degree() + b.degree());
-    for (int i = 0; i <= a.degree(); ++i) {
-      for (int j = 0; j <= b.degree(); ++j) add_product(result[i + j], a[i], b[j]);
-    }
+    Form result;
+    result.add_product(a, b);
     return result;
   }
 

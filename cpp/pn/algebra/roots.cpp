@@ -167,10 +167,33 @@ RootSet isolated_by_factors(const RationalPolynomial& p, long precision) {
   return united(sets);
 }
 
+/// The signs of the Bernstein coefficients on [0, 1].
+std::vector<int> bernstein_signs(const RationalPolynomial& p) {
+  std::vector<int> signs;
+  for (const Rational& b : to_bernstein(coefficients(p, std::max(p.degree(), 0)))) {
+    signs.push_back(b.sign());
+  }
+  return signs;
+}
+
 /// +1, -1 for a root certainly above, below x; 0 when its ball contains x.
 int side_of(const RealBall& root, long x) {
   const RealBall difference = root - RealBall(x);
   return difference.is_positive() ? 1 : difference.is_negative() ? -1 : 0;
+}
+
+RealBall value(const RationalPolynomial& p, const RealBall& t, long precision) {
+  RealBall sum(0);
+  for (int i = p.degree(); i >= 0; --i) sum = sum * t + RealBall(p.coefficient(i), precision);
+  return sum;
+}
+
+RationalPolynomial without_common_roots(RationalPolynomial p, const RationalPolynomial& other) {
+  for (;;) {
+    const RationalPolynomial common = gcd(p, other);
+    if (common.degree() < 1) return p;
+    p = exact_quotient(p, common);
+  }
 }
 
 }  // namespace
@@ -185,7 +208,7 @@ RootSet isolate_roots(const RationalPolynomial& p, long precision) {
   return roots;
 }
 
-std::vector<RealRoot> roots_in_unit_interval(const RationalPolynomial& p) {
+std::vector<RealRoot> roots_in_unit_interval(const RationalPolynomial& p, long least_precision) {
   std::vector<RealRoot> inside;
   RationalPolynomial rest = p;
   for (const long end : {0L, 1L}) {
@@ -194,8 +217,12 @@ std::vector<RealRoot> roots_in_unit_interval(const RationalPolynomial& p) {
     if (multiplicity > 0) inside.push_back({RealBall(end), multiplicity});
     rest = without;
   }
+  // Without a change of sign, and not zero at the ends, the rest has no root in between.
+  const std::vector<int> signs = bernstein_signs(rest);
+  const auto opposite = [&](int sign) { return sign == -signs.front(); };
+  if (std::none_of(signs.begin(), signs.end(), opposite)) return inside;
   // The remaining roots differ from 0 and 1, so some precision separates them from both.
-  for (long precision = 128;; precision *= 2) {
+  for (long precision = least_precision;; precision *= 2) {
     const RootSet roots = isolate_roots(rest, precision);
     const bool separated = std::all_of(roots.real.begin(), roots.real.end(), [](const RealRoot& r) {
       return side_of(r.value, 0) != 0 && side_of(r.value, 1) != 0;
@@ -208,11 +235,28 @@ std::vector<RealRoot> roots_in_unit_interval(const RationalPolynomial& p) {
   }
 }
 
+std::vector<RealRoot> roots_in_unit_interval_without_positive(const RationalPolynomial& p,
+                                                              const RationalPolynomial& other) {
+  const std::vector<RealRoot> common = roots_in_unit_interval(gcd(p, other));
+  const RationalPolynomial rest = without_common_roots(p, other);
+  // Where `other` is not zero some precision decides its sign.
+  for (long precision = 128;; precision *= 2) {
+    std::vector<RealRoot> found = common;
+    bool decided = true;
+    for (const RealRoot& root : roots_in_unit_interval(rest, precision)) {
+      const RealBall x = value(other, root.value, precision);
+      decided = decided && !x.contains_zero();
+      if (x.is_negative()) found.push_back(root);
+    }
+    if (decided) return found;
+  }
+}
+
 bool is_positive_on_unit_interval(const RationalPolynomial& p) {
-  const auto bernstein = to_bernstein(coefficients(p, std::max(p.degree(), 0)));
-  const auto positive = [](const Rational& b) { return b.sign() > 0; };
-  if (std::all_of(bernstein.begin(), bernstein.end(), positive)) return true;
-  if (!positive(bernstein.front()) || !positive(bernstein.back())) return false;
+  const std::vector<int> signs = bernstein_signs(p);
+  const auto positive = [](int sign) { return sign > 0; };
+  if (std::all_of(signs.begin(), signs.end(), positive)) return true;
+  if (!positive(signs.front()) || !positive(signs.back())) return false;
   return roots_in_unit_interval(p).empty();
 }
 

@@ -44,8 +44,13 @@ struct RootSet {
 /// All complex roots of p, which is not zero, in balls of about this precision in bits.
 RootSet isolate_roots(const RationalPolynomial& p, long precision);
 
-/// The real roots of p in the closed interval [0, 1], decided exactly. A root at an end is exact.
-std::vector<RealRoot> roots_in_unit_interval(const RationalPolynomial& p);
+/// The real roots of p in the closed interval [0, 1], decided exactly, those at its ends first and
+/// exact; in balls of at least this precision.
+std::vector<RealRoot> roots_in_unit_interval(const RationalPolynomial& p, long precision = 128);
+
+/// Those among them at which another polynomial is not positive, decided exactly.
+std::vector<RealRoot> roots_in_unit_interval_without_positive(const RationalPolynomial& p,
+                                                              const RationalPolynomial& other);
 
 /// p(t) > 0 for all t in [0, 1], decided exactly.
 bool is_positive_on_unit_interval(const RationalPolynomial& p);

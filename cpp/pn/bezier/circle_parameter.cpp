@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "pn/algebra/rational_polynomial.hpp"
 #include "pn/bezier/knot_insertion.hpp"
 #include "pn/isotropic/form_in_u.hpp"
 
@@ -12,9 +13,6 @@ namespace pn {
 namespace {
 
 using Point = std::array<Rational, 2>;
-
-/// Bernstein coefficients of a polynomial in s.
-using Bernstein = std::vector<Rational>;
 
 /// c_j, rounded to the 24 bits of a float so that all products stay short.
 Eigen::Vector2d control_double(int j, int spans) {
@@ -47,36 +45,37 @@ Point midpoint(const Point& a, const Point& b) {
 
 Rational binomial(int n, int j) { return Rational(static_cast<long>(small_binomial(n, j))); }
 
-Bernstein operator*(const Bernstein& a, const Bernstein& b) {
-  const int n = static_cast<int>(a.size()) - 1, m = static_cast<int>(b.size()) - 1;
-  Bernstein product(static_cast<std::size_t>(n + m) + 1);
-  for (int i = 0; i <= n; ++i) {
-    for (int j = 0; j <= m; ++j) {
-      product[i + j] += a[i] * b[j] * (binomial(n, i) * binomial(m, j) / binomial(n + m, i + j));
-    }
-  }
-  return product;
+/// With x = s / (1 - s): Bernstein coefficients times their binomials are the coefficients of a
+/// polynomial in x, and multiply like those.
+RationalPolynomial in_ratio(const std::vector<Rational>& bernstein) {
+  const int n = static_cast<int>(bernstein.size()) - 1;
+  std::vector<Rational> coefficients;
+  for (int j = 0; j <= n; ++j) coefficients.push_back(bernstein[j] * binomial(n, j));
+  return RationalPolynomial(coefficients);
 }
 
-Bernstein power(const Bernstein& a, int exponent) {
-  Bernstein result{Rational(1)};
-  for (int i = 0; i < exponent; ++i) result = result * a;
+/// 1, a, a^2, ..., a^most.
+std::vector<RationalPolynomial> powers(const RationalPolynomial& a, int most) {
+  std::vector<RationalPolynomial> result = {RationalPolynomial(1L)};
+  for (int i = 0; i < most; ++i) result.push_back(result.back() * a);
   return result;
 }
 
 /// The columns of a form on the Bezier curve p(s) with these control points.
 std::vector<std::vector<Rational>> composed(const std::vector<Point>& p, int form_degree) {
-  Bernstein u0, u1;
-  for (const Point& point : p) {
-    u0.push_back(point[0]);
-    u1.push_back(point[1]);
+  std::array<std::vector<RationalPolynomial>, 2> powers_of_u;
+  for (std::size_t c = 0; c < 2; ++c) {
+    std::vector<Rational> u;
+    for (const Point& point : p) u.push_back(point[c]);
+    powers_of_u[c] = powers(in_ratio(u), form_degree);
   }
-  const std::size_t count = form_degree * (p.size() - 1) + 1;
-  std::vector<std::vector<Rational>> columns(count);
+  const int degree = form_degree * (static_cast<int>(p.size()) - 1);
+  std::vector<std::vector<Rational>> columns(static_cast<std::size_t>(degree) + 1);
   for (int i = 0; i <= form_degree; ++i) {
-    const Bernstein monomial = power(u0, form_degree - i) * power(u1, i);
-    for (std::size_t j = 0; j < count; ++j) {
-      columns[j].push_back(monomial[j] * binomial(form_degree, i));
+    const RationalPolynomial monomial = powers_of_u[0][form_degree - i] * powers_of_u[1][i];
+    for (int j = 0; j <= degree; ++j) {
+      columns[j].push_back(monomial.coefficient(j) * binomial(form_degree, i) /
+                           binomial(degree, j));
     }
   }
   return columns;

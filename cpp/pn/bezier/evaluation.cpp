@@ -2,80 +2,66 @@
 #include "pn/bezier/evaluation.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace pn {
-namespace {
 
-/// The 2 p knots around a span, each as often as it counts, and the number of knots before them.
-struct KnotsAround {
-  std::vector<double> flat;
-  std::size_t before;
-};
-
-KnotsAround knots_around(std::size_t p, const std::vector<double>& knots,
-                         const std::vector<int>& multiplicities, double parameter) {
-  // The last span holds its right end too.
-  const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, parameter);
-  const auto span = static_cast<std::size_t>(above - knots.begin()) - 1;
-  const std::size_t up_to_span = static_cast<std::size_t>(std::accumulate(
-      multiplicities.begin(), multiplicities.begin() + static_cast<int>(span) + 1, 0));
-  std::vector<double> flat(2 * p);
-  std::size_t filled = 0;
-  for (std::size_t i = span + 1; filled < p; --i) {
-    for (int copy = 0; copy < multiplicities[i - 1] && filled < p; ++copy) {
-      flat[p - 1 - filled++] = knots[i - 1];
-    }
+SplineBasis::SplineBasis(int degree, const std::vector<double>& knots,
+                         const std::vector<int>& multiplicities)
+    : degree_(static_cast<std::size_t>(degree)) {
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    knots_.insert(knots_.end(), static_cast<std::size_t>(multiplicities[i]), knots[i]);
   }
-  for (std::size_t i = span + 1; filled < 2 * p; ++i) {
-    for (int copy = 0; copy < multiplicities[i] && filled < 2 * p; ++copy) {
-      flat[filled++] = knots[i];
-    }
-  }
-  return {std::move(flat), up_to_span - p};
 }
 
-}  // namespace
-
-ActiveBasis active_basis(int degree, const std::vector<double>& knots,
-                         const std::vector<int>& multiplicities, double parameter) {
-  parameter = std::clamp(parameter, knots.front(), knots.back());
-  const auto p = static_cast<std::size_t>(degree);
-  const auto [flat, before] = knots_around(p, knots, multiplicities, parameter);
-  std::vector<double> values(p + 1, 0.0), left(p + 1), right(p + 1);
+ActiveBasis SplineBasis::at(double parameter) const {
+  const std::size_t p = degree_;
+  parameter = std::clamp(parameter, knots_.front(), knots_.back());
+  // The last span holds its right end too.
+  const auto first_end = knots_.begin() + static_cast<std::ptrdiff_t>(p) + 1;
+  const auto last_end = knots_.end() - static_cast<std::ptrdiff_t>(p) - 1;
+  const double* const end = &*std::upper_bound(first_end, last_end, parameter);
+  ActiveBasis basis{static_cast<std::size_t>(end - knots_.data()) - p - 1, {}};
+  auto& values = basis.values;
+  values.resize(static_cast<Eigen::Index>(p) + 1);
   values[0] = 1;
-  for (std::size_t j = 1; j <= p; ++j) {
-    left[j] = parameter - flat[p - j];
-    right[j] = flat[p - 1 + j] - parameter;
+  for (int j = 1; j <= static_cast<int>(p); ++j) {
     double saved = 0;
-    for (std::size_t r = 0; r < j; ++r) {
-      const double share = values[r] / (right[r + 1] + left[j - r]);
-      values[r] = saved + right[r + 1] * share;
-      saved = left[j - r] * share;
+    for (int r = 0; r < j; ++r) {
+      const double right = end[r] - parameter, left = parameter - end[r - j];
+      const double share = values[r] / (right + left);
+      values[r] = saved + right * share;
+      saved = left * share;
     }
     values[j] = saved;
   }
-  return {before - 1, std::move(values)};
+  return basis;
 }
 
-std::array<double, 3> evaluate(const BSplineSurface& surface, double u, double v) {
-  const ActiveBasis along =
-      active_basis(surface.u_degree, surface.u_knots, surface.u_multiplicities, u);
-  const ActiveBasis around =
-      active_basis(surface.v_degree, surface.v_knots, surface.v_multiplicities, v);
+SurfaceEvaluation::SurfaceEvaluation(const BSplineSurface& surface)
+    : surface_(surface),
+      along_(surface.u_degree, surface.u_knots, surface.u_multiplicities),
+      around_(surface.v_degree, surface.v_knots, surface.v_multiplicities) {}
+
+std::array<double, 3> SurfaceEvaluation::operator()(double u, double v) const {
+  const ActiveBasis along = along_.at(u), around = around_.at(v);
   std::array<double, 3> point = {0, 0, 0};
   double weight = 0;
-  const std::size_t columns = surface.v_count();
-  for (std::size_t i = 0; i < along.values.size(); ++i) {
-    for (std::size_t j = 0; j < around.values.size(); ++j) {
-      const std::size_t index = (along.first + i) * columns + around.first + j;
-      const double share = along.values[i] * around.values[j] * surface.weights[index];
-      for (std::size_t c = 0; c < 3; ++c) point[c] += share * surface.poles[index][c];
+  const std::size_t columns = surface_.v_count();
+  for (Eigen::Index i = 0; i < along.values.size(); ++i) {
+    const std::size_t row = along.first + static_cast<std::size_t>(i);
+    for (Eigen::Index j = 0; j < around.values.size(); ++j) {
+      const std::size_t index = row * columns + around.first + static_cast<std::size_t>(j);
+      const double share = along.values[i] * around.values[j] * surface_.weights[index];
+      for (std::size_t c = 0; c < 3; ++c) point[c] += share * surface_.poles[index][c];
       weight += share;
     }
   }
   for (double& coordinate : point) coordinate /= weight;
   return point;
+}
+
+std::array<double, 3> evaluate(const BSplineSurface& surface, double u, double v) {
+  return SurfaceEvaluation(surface)(u, v);
 }
 
 }  // namespace pn

@@ -21,6 +21,7 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <utility>
 #include <vector>
@@ -91,12 +92,17 @@ Eigen::Matrix2d midpoint(const Matrix<T>& a) {
   return result;
 }
 
+/// A number of 24 bits near x, of any size.
+inline double short_double(double x) {
+  int exponent = 0;
+  const auto mantissa = static_cast<float>(std::frexp(x, &exponent));
+  return std::ldexp(static_cast<double>(mantissa), exponent);
+}
+
 /// A free choice: entries of 24 bits, exact in every number type.
 template <class T>
 Matrix<T> short_doubles(const Eigen::Matrix2d& a) {
-  const auto entry = [&](int i, int j) {
-    return T(static_cast<double>(static_cast<float>(a(i, j))));
-  };
+  const auto entry = [&](int i, int j) { return T(short_double(a(i, j))); };
   return {{{entry(0, 0), entry(0, 1)}, {entry(1, 0), entry(1, 1)}}};
 }
 

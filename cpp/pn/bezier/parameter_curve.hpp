@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Parameter curves: splines in the parameter plane of a face that follow a path known exactly.
 //
-// A path is interpolated by a spline of degree 5 with equal spans and simple knots at its Greville
-// abscissae; its error falls with the sixth power of the span, and the spans are doubled until it
-// is below a tolerance between the abscissae too. (C. de Boor, A Practical Guide to Splines, rev.
-// ed. 2001, chapter XIII.) The error is measured, not proved: it moves the edge of a face, never
-// its surface.
+// A path is interpolated by a spline of degree 9 with simple knots at its Greville abscissae; its
+// error falls with the tenth power of the span, and spans are halved until it is below a tolerance
+// between the abscissae too. (C. de Boor, A Practical Guide to Splines, rev. ed. 2001, chapter
+// XIII.) So a smooth path takes few poles, and no derivatives are asked for. The error is measured,
+// not proved: it moves the edge of a face, never its surface.
 #pragma once
 
 #include <array>

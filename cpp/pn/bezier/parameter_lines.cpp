@@ -99,12 +99,14 @@ class FactorSequence {
  public:
   using C = ComplexOf<T>;
 
+  /// `frames(i, end)` is what the lines of segment i are matched by at its ends.
+  template <class Frames>
   FactorSequence(const std::vector<Segment>& segments, bool closed, const TargetLines& target,
-                 const std::vector<SpinorMatrix<C>>& spinors, long precision)
+                 const std::vector<SpinorMatrix<C>>& spinors, Frames&& frames, long precision)
       : segments_(segments), closed_(closed), precision_(precision), parts_(segments.size()) {
     for_each_index(segments.size(), [&](std::size_t i) {
       const Segment& segment = segments[i];
-      parts_[i] = {{end_value(spinors[i], 0), end_value(spinors[i], 1)},
+      parts_[i] = {{frames(i, 0), frames(i, 1)},
                    {target_end(target, segment, segment.left()),
                     target_end(target, segment, segment.right())},
                    short_doubles<T>(target.at(segment.link, segment.middle())),
@@ -161,7 +163,8 @@ class FactorSequence {
     return parabola_through(left.value, part.middle, right.value);
   }
 
-  /// What a segment brings along: A at its ends, and the target there and in the middle.
+  /// What a segment brings along: A or another frame of its lines at its ends, and the target there
+  /// and in the middle.
   struct Part {
     std::array<EndValue<C>, 2> ends;
     std::array<LineEnd<T>, 2> target;
@@ -247,7 +250,7 @@ struct BandAttempt {
 constexpr double kLeastRatioOfLongRulings = 1e-4;
 
 /// From few poles and little to trim away to what always ends well.
-constexpr std::array<BandAttempt, 9> kBandAttempts = {
+constexpr std::array<BandAttempt, 10> kBandAttempts = {
     {{0, 0.1, 0, kLeastWeightRatio},
      {1, 0.1, 0, kLeastWeightRatio},
      {1, 0.3, 0, kLeastWeightRatio},
@@ -256,6 +259,7 @@ constexpr std::array<BandAttempt, 9> kBandAttempts = {
      {2, 0.1, kMostHalvings, kLeastWeightRatio},
      {2, 0.1, kMostHalvings, kLeastRatioOfLongRulings},
      {2, 0.01, kMostHalvings, kLeastRatioOfLongRulings},
+     {2, 0.001, kMostHalvings, kLeastRatioOfLongRulings},
      {2, 1.0, kMostHalvings, kLeastRatioOfLongRulings}}};
 
 /// How the lines of a region are tried: the degree of F over arcs, which arcs of the circles they
@@ -279,7 +283,7 @@ constexpr std::array<RegionAttempt, 6> kRegionAttempts = {{{0, constant_arc, 0.0
 constexpr double kLeastRatioOfRegions = 2e-3;
 
 /// Places on a segment at which the lines of a band are compared with its directrices.
-constexpr int kBandSamples = 17;
+constexpr int kBandSamples = 129;
 
 class Planner {
  public:
@@ -307,8 +311,7 @@ class Planner {
     for_each_index(result.size(), [&](std::size_t i) {
       const Segment& segment = segments_[i];
       const SpinorMatrix<ComplexBall> spinor = lined<RealBall>(spinors[i], factors[i]);
-      const Carrier<RealBall> carrier =
-          restricted_carrier(gammas_[segment.link].carrier, segment, precision_);
+      const Carrier<RealBall> carrier = carrier_of<RealBall>(segment);
       result[i] = {chain_.links[segment.link].stands_still(),
                    segment.begin,
                    segment.end,
@@ -365,9 +368,21 @@ class Planner {
         if (is_band_covered(attempt.least_weight_ratio)) return;
       } while (halve_bad_segments(attempt.halvings));
     }
-    throw GeometryError(ErrorCode::kWeightsNotPositive,
-                        "No patches with positive weights were found along the rulings; divide the "
-                        "curves into shorter spans.");
+    throw no_lines_of_band();
+  }
+
+  /// The directrices turn, and lines without room for it in their degree cannot follow.
+  GeometryError no_lines_of_band() const {
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      if (!bad_[i] || room(segments_[i].link) > 0) continue;
+      return {ErrorCode::kDegreeTooHigh,
+              "The exact surface would need a degree above " + std::to_string(kLargestDegree) +
+                  " for lines that follow its curves. Lower the degree of both curves, for "
+                  "instance by cubic B-splines."};
+    }
+    return {ErrorCode::kWeightsNotPositive,
+            "No patches with positive weights were found along the rulings; divide the curves into "
+            "shorter spans."};
   }
 
   void plan_region() {
@@ -383,7 +398,8 @@ class Planner {
     for (const RegionAttempt& attempt : kRegionAttempts) {
       plan(attempt);
       do {
-        if (is_region_covered(circles.boundary)) return;
+        // Around whole circles lines are constant, and there is nothing else to try.
+        if (circles.boundary.empty() || is_region_covered(circles.boundary)) return;
       } while (halve_bad_segments(attempt.halvings));
     }
     throw GeometryError(ErrorCode::kWeightsNotPositive,
@@ -427,7 +443,29 @@ class Planner {
   template <class T>
   std::vector<LineFactor<T>> factors_for(
       const std::vector<SpinorMatrix<ComplexOf<T>>>& spinors) const {
-    return FactorSequence<T>(segments_, chain_.closed, *target_, spinors, precision_).factors();
+    const auto frames = [&](std::size_t i, int end) { return frame_at<T>(i, end, spinors[i]); };
+    return FactorSequence<T>(segments_, chain_.closed, *target_, spinors, frames, precision_)
+        .factors();
+  }
+
+  /// What lines are matched by at an end of a segment: A, or where the end is a torsal ruling, at
+  /// which A is singular, the points of that ruling. Joints there are tangent only, without slopes.
+  template <class T>
+  EndValue<ComplexOf<T>> frame_at(std::size_t i, int end,
+                                  const SpinorMatrix<ComplexOf<T>>& spinor) const {
+    if (!ends_at_torsal_ruling(segments_[i], end)) return end_value(spinor, end);
+    const auto rulings = std::get<RulingForms<T>>(carrier_of<T>(segments_[i]));
+    const Matrix<T> frame = torsal_frame<T>(rulings, spinor, end);
+    return {complexified<T>(frame), complexified<T>(scaled(frame, T(0.0)))};
+  }
+
+  bool ends_at_torsal_ruling(const Segment& segment, int end) const {
+    const auto* rulings = std::get_if<RulingForms<RealBall>>(&gammas_[segment.link].carrier);
+    const Rational place = end == 0 ? segment.origin : segment.origin + segment.length;
+    if (!rulings || place != Rational(long{end})) return false;
+    const RealBall at(end);
+    return std::any_of(rulings->torsal_roots.begin(), rulings->torsal_roots.end(),
+                       [&](const RealBall& root) { return (root - at).is_zero(); });
   }
 
   /// Refines every segment with uneven weights; false when there is none (any more).
@@ -485,11 +523,11 @@ class Planner {
     const std::vector<CircleColumns> band = {straight_band(1, 4)};
     bad_.assign(segments_.size(), 0);
     for_each_index(segments_.size(), [&](std::size_t i) {
-      const Carrier<double> carrier = estimated_carrier(segments_[i]);
+      const Carrier<double> carrier = carrier_of<double>(segments_[i]);
       const auto w = isotropic_vector<double>(lined<double>(spinors[i], factors[i]));
-      const WeightRange weights = weight_range(sections(carrier, w).weight, band);
-      const bool is_even = weights.least > least_weight_ratio * weights.largest;
       const auto& rulings = std::get<RulingForms<double>>(carrier);
+      const WeightRange weights = weight_range(section_weight(rulings, w), band);
+      const bool is_even = weights.least > least_weight_ratio * weights.largest;
       bad_[i] = !is_even || !reaches(directrix_forms(rulings, w));
     });
     return std::none_of(bad_.begin(), bad_.end(), [](char bad) { return bad != 0; });
@@ -502,7 +540,7 @@ class Planner {
     bad_.assign(segments_.size(), 0);
     for_each_index(segments_.size(), [&](std::size_t i) {
       const auto w = isotropic_vector<double>(lined<double>(spinors[i], factors[i]));
-      const FormInU<double> weight = sections(estimated_carrier(segments_[i]), w).weight;
+      const FormInU<double> weight = sections(carrier_of<double>(segments_[i]), w).weight;
       bad_[i] = !is_even(weight, segments_[i].around) || !holds(boundary, segments_[i], factors[i]);
     });
     return std::none_of(bad_.begin(), bad_.end(), [](char bad) { return bad != 0; });
@@ -548,13 +586,20 @@ class Planner {
     return circle_parameter(u(0), u(1), kLeastArcs) < kArcsOfLargerPart;
   }
 
-  /// The carrier of a segment in doubles, in its own parameter.
-  Carrier<double> estimated_carrier(const Segment& segment) const {
-    if (segment.is_whole_link()) return estimates_[segment.link].carrier;
-    return midpoint(restricted_carrier(gammas_[segment.link].carrier, segment, precision_));
+  /// The carrier of a segment in its own parameter; in doubles nearly.
+  template <class T>
+  Carrier<T> carrier_of(const Segment& segment) const {
+    const auto in_balls = [&] {
+      return restricted_carrier(gammas_[segment.link].carrier, segment, precision_);
+    };
+    if constexpr (std::is_same_v<T, double>) {
+      return segment.is_whole_link() ? estimates_[segment.link].carrier : midpoint(in_balls());
+    } else {
+      return in_balls();
+    }
   }
 
-  static bool reaches(const DirectrixForms& directrices) {
+  static bool reaches(const DirectrixForms<double>& directrices) {
     for (const FormInU<double>& directrix : directrices) {
       for (int i = 0; i < kBandSamples; ++i) {
         const double s = band_parameter(directrix, static_cast<double>(i) / (kBandSamples - 1));

@@ -65,7 +65,7 @@ class AngleWalk {
 
  private:
   void walk(std::vector<Step>& steps, double to) const {
-    constexpr double kLargestTurn = 0.2, kShortest = 1e-10;
+    constexpr double kLargestTurn = 0.05, kShortest = 1e-10;
     const Step from = steps.back();
     Step next = at(to);
     const double turn = std::remainder(next.angle - from.angle, M_PI);
@@ -267,6 +267,10 @@ std::vector<BoundaryPlace> upside_down(std::vector<BoundaryPlace> places) {
   return places;
 }
 
+/// Places of the boundary lie no farther apart beside the split, as a part of its distance from
+/// where the region begins.
+constexpr double kBeforeSplit = 0.03;
+
 GeometryError too_far() {
   return {ErrorCode::kRegionUnsupported,
           "The region reaches too far beyond the umbilics of the hyperboloid, to where its points "
@@ -297,16 +301,17 @@ RegionCircles region_circles(const BoundedRegion& region,
   RegionCircles circles;
   circles.low = region.has_first_pole ? 0 : std::max(t.low, kAtPole);
   circles.high = region.has_last_pole ? 1 : std::min(t.high, 1 - kAtPole);
-  // A closed surface has no points at infinity.
-  const double whole =
-      everywhere.empty() ? circles.high : last_whole_circle(gamma, circles.low, circles.high);
+  const double whole = last_whole_circle(gamma, circles.low, circles.high);
   const bool surrounds = region.has_first_pole || region.has_last_pole ||
                          std::any_of(loops.begin(), loops.end(), winds);
   const bool has_gap = widest_gap(everywhere).width() > kWideGap;
   circles.is_closed = surrounds || (!has_gap && whole == circles.high);
   if (circles.is_closed && whole == circles.high) return circles;
   if (circles.is_closed) circles.split = first_with_wide_gap(everywhere, circles.low, whole);
-  const auto places = from(everywhere, circles.split.value_or(0));
+  if (circles.split == circles.low) throw too_far();
+  // The boundary crosses the split between two places: that before it belongs to the arcs, too.
+  const double start = circles.split.value_or(circles.low);
+  const auto places = from(everywhere, start - kBeforeSplit * (start - circles.low));
   const Hull gap = widest_gap(places);
   if (gap.width() < kLeastArc) throw too_far();
   circles.boundary = beyond_gap(places, gap);

@@ -24,11 +24,13 @@ constexpr double kAround = 4;
 constexpr int kSamples = 128;
 constexpr int kBisections = 60;
 /// So near to a pole, in the link's parameter, a point counts as the pole.
-constexpr double kAtPole = 1e-7;
+constexpr double kAtPole = 1e-9;
 /// The direction in which an arc leaves a pole is extrapolated from steps of this size along it.
 constexpr double kLeavingStep = 1e-4;
 /// A point inside the region is looked for so far to the side of an edge, and of a pole.
 constexpr double kAside = 1e-5;
+/// A corner so near to a line between faces lies on it: what rounding leaves of one that does.
+constexpr double kOnLine = 1e-10;
 /// Paths of regions run near poles, where doubles resolve less than elsewhere.
 constexpr double kParameterTolerance = 1e-12;
 
@@ -62,7 +64,7 @@ class RegionParameters {
     const std::complex<double> mixed = std::conj(a(0)) * a(1);
     const Vector3d normal(2 * mixed.real() / size, 2 * mixed.imag() / size,
                           (std::norm(a(0)) - std::norm(a(1))) / size);
-    return region_.contains(normal);
+    return region_.contains({at[0], normal});
   }
 
  private:
@@ -314,12 +316,14 @@ class RegionTrimmer {
 
   Point corner(const Stretch& stretch, double s) const {
     Point p = stretch.path.at(s, kAround / 2);
-    if (s > 0 && s < 1) p = on_line(p);
+    const Point q = on_line(p);
+    const bool is_cut = s > 0 && s < 1;
+    if (is_cut || std::hypot(p[0] - q[0], p[1] - q[1]) < kOnLine) p = q;
     if (parameters_->is_closed() && p[1] >= kAround) p[1] -= kAround;
     return p;
   }
 
-  /// A cut, exactly on the line at which it was made: the nearest one.
+  /// A point moved onto the nearest line between faces or at a knot.
   Point on_line(Point p) const {
     double nearest = HUGE_VAL;
     Point result = p;

@@ -14,15 +14,22 @@ using Eigen::Vector3d;
 
 namespace {
 
-FormInU<double> directrix_form(const SphereCurveForms<double>& c, const std::vector<double>& torsal,
-                               const IsotropicVector<double>& w) {
-  const auto wronskian = [&](const Form<double>& p) {
+template <class T>
+FormInU<T> directrix_form(const SphereCurveForms<T>& c, const std::vector<T>& torsal,
+                          const IsotropicVector<T>& w) {
+  const auto wronskian = [&](const Form<T>& p) {
     return p.derivative() * c.denominator - p * c.denominator.derivative();
   };
   return divided_by_roots(
       contracted({wronskian(c.centre[0]), wronskian(c.centre[1]), wronskian(c.centre[2])},
                  wronskian(c.radius), w),
       torsal);
+}
+
+template <class T>
+T fourth_root(const T& x) {
+  using std::sqrt;
+  return sqrt(sqrt(x));
 }
 
 /// Both solutions of q0 (1 - s)^2 + 2 q1 (1 - s) s + q2 s^2 = 0, without cancellation.
@@ -37,11 +44,41 @@ constexpr double kAside = 1e-4;
 
 }  // namespace
 
-DirectrixForms directrix_forms(const RulingForms<double>& rulings,
-                               const IsotropicVector<double>& w) {
+template <class T>
+DirectrixForms<T> directrix_forms(const RulingForms<T>& rulings, const IsotropicVector<T>& w) {
   return {directrix_form(rulings.directrices[0], rulings.torsal_roots, w),
           directrix_form(rulings.directrices[1], rulings.torsal_roots, w)};
 }
+
+template DirectrixForms<double> directrix_forms(const RulingForms<double>&,
+                                                const IsotropicVector<double>&);
+template DirectrixForms<RealBall> directrix_forms(const RulingForms<RealBall>&,
+                                                  const IsotropicVector<RealBall>&);
+
+template <class T>
+lines::Matrix<T> torsal_frame(const RulingForms<T>& rulings,
+                              const SpinorMatrix<ComplexOf<T>>& pinched, int end) {
+  const IsotropicVector<T> w = isotropic_vector<T>(pinched);
+  const DirectrixForms<T> forms = directrix_forms(rulings, w);
+  const T t(static_cast<double>(end));
+  lines::Matrix<T> rows;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const T q = rulings.directrices[i].denominator(t);
+    const T scale = T(1.0) / (q * q);
+    // l d with l = (0, 1): the square of the first coordinate of u is missing.
+    const std::vector<Form<T>>& c = forms[i].coefficient;
+    rows[i] = {T(2.0) * c[1](t) * scale, c[2](t) * scale};
+  }
+  const lines::Matrix<T> points = lines::inverse(rows);
+  const T weight = value(sections(rulings, w).weight, t, points[0][0] - points[0][1],
+                         points[1][0] - points[1][1]);
+  return lines::scaled(rows, fourth_root(weight));
+}
+
+template lines::Matrix<double> torsal_frame(const RulingForms<double>&,
+                                            const SpinorMatrix<std::complex<double>>&, int);
+template lines::Matrix<RealBall> torsal_frame(const RulingForms<RealBall>&,
+                                              const SpinorMatrix<ComplexBall>&, int);
 
 double band_parameter(const FormInU<double>& directrix, double t) {
   const auto [a, b] =

@@ -7,8 +7,21 @@
 // s), s in [0, 1], and its weights are positive, the middle one being the cosine of half the angle
 // between the normals. The directrices themselves are no lines u = const, their normals being
 // irrational; the margin leaves them inside.
+//
+// LEMMA (joints at a torsal ruling). Let A E be pinched at t* (torsal_ruling.hpp). At t* w is l^2
+// times the normal of the ruling, <w, c'> freed of its torsal root is l d_c for either directrix c,
+// and the weight of the sections is l^3 m, where l = (0, 1) u, d_c and m are linear in u. Let V be
+// the matrix with the rows d_c0 / q0^2 and d_c1 / q1^2 (q the denominators), times the fourth root
+// of the weight at V^-1 (1, -1). Two links that share the ruling have the same lines u = const and
+// the same weights on it, when V+ F+ = V- F-.
+//
+// Proof: The line u lies on the point of the ruling that divides the directrices as d_c1 : -d_c0,
+// so V+ F+ and V- F- must be proportional; then so are the zeros of l, at the one point without a
+// normal, and of m, at infinity, and the weights. These are equal since they are so in the middle,
+// where V F u = (1, -1). QED
 #pragma once
 
+#include "pn/bezier/line_factor.hpp"
 #include "pn/bezier/target_lines.hpp"
 #include "pn/isotropic/along_rulings.hpp"
 
@@ -16,10 +29,17 @@ namespace pn {
 
 /// <w, c'> for the two directrices c, freed of torsal roots: its zero in u is where the directrix
 /// crosses.
-using DirectrixForms = std::array<FormInU<double>, 2>;
+template <class T>
+using DirectrixForms = std::array<FormInU<T>, 2>;
 
-DirectrixForms directrix_forms(const RulingForms<double>& rulings,
-                               const IsotropicVector<double>& w);
+template <class T>
+DirectrixForms<T> directrix_forms(const RulingForms<T>& rulings, const IsotropicVector<T>& w);
+
+/// V of the lemma at an end of a link that is a torsal ruling. `pinched` is A E
+/// (torsal_ruling.hpp).
+template <class T>
+lines::Matrix<T> torsal_frame(const RulingForms<T>& rulings,
+                              const SpinorMatrix<ComplexOf<T>>& pinched, int end);
 
 /// s of the line u = (1 - s : s) on which a directrix lies at t; of the two zeros, whose normals
 /// are opposite, the one nearer to the arc [0, 1].

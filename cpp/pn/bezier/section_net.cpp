@@ -17,8 +17,8 @@ namespace {
 /// A row of control points takes about ten microseconds, as long as to wake another thread.
 constexpr std::size_t kRowsPerTask = 32;
 
-/// The rows of control points of one homogeneous component: for each coefficient in u the Bernstein
-/// coefficients along.
+/// The rows of control points of one homogeneous component: for each Bernstein coefficient along
+/// the coefficients in u.
 using ComponentRows = std::vector<std::vector<RealBall>>;
 
 /// The rows of a segment at a common degree.
@@ -31,21 +31,24 @@ int degree_of(const LinedSegment& segment) {
   return segment.sections.weight.coefficient.front().degree();
 }
 
-ComponentRows rows_of(const FormInU<RealBall>& form, int degree) {
-  ComponentRows rows;
+ComponentRows rows_of(const FormInU<RealBall>& form, int degree,
+                      const BernsteinOfBalls& bernstein) {
+  ComponentRows rows(static_cast<std::size_t>(degree) + 1);
   for (const Form<RealBall>& c : form.coefficient) {
-    rows.push_back(to_bernstein(c.elevated(degree).coefficients()));
+    std::vector<RealBall> along = bernstein(c.elevated(degree).coefficients());
+    for (std::size_t row = 0; row < rows.size(); ++row) rows[row].push_back(std::move(along[row]));
   }
   return rows;
 }
 
-SegmentRows rows_of(const LinedSegment& segment, int degree) {
+SegmentRows rows_of(const LinedSegment& segment, int degree, long precision) {
+  const BernsteinOfBalls bernstein(degree, precision);
   SegmentRows rows;
   for (std::size_t i = 0; i < 3; ++i) {
-    rows.point[i] = rows_of(segment.sections.point[i], degree);
-    rows.direction[i] = rows_of(segment.sections.direction[i], degree);
+    rows.point[i] = rows_of(segment.sections.point[i], degree, bernstein);
+    rows.direction[i] = rows_of(segment.sections.direction[i], degree, bernstein);
   }
-  rows.weight = rows_of(segment.sections.weight, degree);
+  rows.weight = rows_of(segment.sections.weight, degree, bernstein);
   return rows;
 }
 
@@ -57,19 +60,13 @@ ColumnWeights in_balls(const std::vector<Rational>& column, long precision) {
   return weights;
 }
 
-RealBall value(const ComponentRows& component, std::size_t row, const ColumnWeights& column) {
-  RealBall sum = component[0][row] * column[0];
-  for (std::size_t q = 1; q < column.size(); ++q) sum.add_product(component[q][row], column[q]);
-  return sum;
-}
-
 NetPole pole_of(const SegmentRows& rows, std::size_t row, const ColumnWeights& column) {
   NetPole pole;
-  pole.weight = value(rows.weight, row, column);
+  pole.weight = dot(rows.weight[row], column);
   const RealBall inverse = RealBall(1) / pole.weight;
   for (std::size_t i = 0; i < 3; ++i) {
-    pole.point[i] = value(rows.point[i], row, column) * inverse;
-    pole.direction[i] = value(rows.direction[i], row, column) * inverse;
+    pole.point[i] = dot(rows.point[i][row], column) * inverse;
+    pole.direction[i] = dot(rows.direction[i][row], column) * inverse;
   }
   return pole;
 }
@@ -145,33 +142,23 @@ std::vector<ColumnWeights> column_weights(const CircleColumns& circle, long prec
 }
 
 /// The rows over so many equal spans instead of one, with simple knots between them.
-SegmentRows with_inner_knots(const SegmentRows& rows, const std::vector<Rational>& knots,
-                             long precision) {
-  if (knots.empty()) return rows;
-  SegmentRows result = rows;
+SegmentRows with_inner_knots(SegmentRows rows, const std::vector<Rational>& knots, long precision) {
   const auto refine = [&](ComponentRows& component) {
-    const std::size_t count = component[0].size();
-    SplineColumns<RealBall> spline{static_cast<int>(count) - 1, {}, {}};
+    const std::size_t count = component.size();
+    SplineColumns<RealBall> spline{static_cast<int>(count) - 1, {}, std::move(component)};
     spline.knots.assign(count, Rational(0));
     spline.knots.resize(2 * count, Rational(1));
-    for (std::size_t row = 0; row < count; ++row) {
-      spline.points.emplace_back();
-      for (const auto& c : component) spline.points.back().push_back(c[row]);
-    }
     for (const Rational& knot : knots) {
       spline = with_knot(spline, knot, [&](const Rational& x) { return RealBall(x, precision); });
     }
-    for (std::size_t q = 0; q < component.size(); ++q) {
-      component[q].clear();
-      for (const auto& point : spline.points) component[q].push_back(point[q]);
-    }
+    component = std::move(spline.points);
   };
   for (std::size_t i = 0; i < 3; ++i) {
-    refine(result.point[i]);
-    refine(result.direction[i]);
+    refine(rows.point[i]);
+    refine(rows.direction[i]);
   }
-  refine(result.weight);
-  return result;
+  refine(rows.weight);
+  return rows;
 }
 
 /// The same in the segment's own parameter.
@@ -202,7 +189,7 @@ Rows rows_of_all(const std::vector<LinedSegment>& segments, int spans, long prec
   strip.rows.resize(strip.segments.size());
   for_each_index(strip.rows.size(), [&](std::size_t i) {
     const auto knots = own_parameters(segments[i], inner_knots(segments[i], spans));
-    strip.rows[i] = with_inner_knots(rows_of(segments[i], degrees[i]), knots, precision);
+    strip.rows[i] = with_inner_knots(rows_of(segments[i], degrees[i], precision), knots, precision);
   });
   return strip;
 }

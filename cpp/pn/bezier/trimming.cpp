@@ -2,6 +2,7 @@
 #include "pn/bezier/trimming.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -15,23 +16,23 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-/// In parameters that run over about a unit: two orders above what doubles resolve.
+/// In parameters that run over about a unit: a little above what doubles resolve.
 constexpr double kParameterTolerance = 1e-13;
-/// Points of an edge at which its distance from the true boundary is measured.
-constexpr int kSamples = 200;
+/// Places in every span of an edge at which its distance from the true boundary is measured. Where
+/// spans are equal it is largest in their middle.
+constexpr std::array<double, 5> kPlaces = {0.1, 0.3, 0.5, 0.7, 0.9};
 
 /// One directrix of a band in the parameters of its segments.
 class Directrix {
  public:
-  Directrix(const EnvelopeChain& chain, const std::vector<LinedSegment>& segments,
-            std::size_t which) {
-    for (const LinedSegment& segment : segments) {
-      spans_.push_back({segment.begin, segment.end,
-                        directrix_forms(std::get<RulingForms<double>>(segment.carrier),
-                                        isotropic_vector<double>(segment.lines))[which]});
-    }
+  struct Span {
+    double begin, end;
+    FormInU<double> form;
+  };
+
+  Directrix(std::vector<Span> spans, bool closed) : spans_(std::move(spans)) {
     for (const Span& span : spans_) joints_.push_back(band_parameter(span.form, 0));
-    joints_.push_back(chain.closed ? joints_.front() : band_parameter(spans_.back().form, 1));
+    joints_.push_back(closed ? joints_.front() : band_parameter(spans_.back().form, 1));
   }
 
   /// Where it crosses the start of a segment, and the end of one: computed once, so that neighbours
@@ -48,13 +49,26 @@ class Directrix {
   }
 
  private:
-  struct Span {
-    double begin, end;
-    FormInU<double> form;
-  };
   std::vector<Span> spans_;
   std::vector<double> joints_;
 };
+
+using Directrices = std::array<std::shared_ptr<const Directrix>, 2>;
+
+Directrices directrices_of(const std::vector<LinedSegment>& segments, bool closed) {
+  std::array<std::vector<Directrix::Span>, 2> spans;
+  for (auto& side : spans) side.resize(segments.size());
+  for_each_index(segments.size(), [&](std::size_t i) {
+    const LinedSegment& segment = segments[i];
+    DirectrixForms forms = directrix_forms(std::get<RulingForms<double>>(segment.carrier),
+                                           isotropic_vector<double>(segment.lines));
+    for (std::size_t side = 0; side < 2; ++side) {
+      spans[side][i] = {segment.begin, segment.end, std::move(forms[side])};
+    }
+  });
+  return {std::make_shared<const Directrix>(std::move(spans[0]), closed),
+          std::make_shared<const Directrix>(std::move(spans[1]), closed)};
+}
 
 TrimEdge edge_along(const ParameterPath& path) {
   return {interpolated(path, kParameterTolerance), path};
@@ -62,20 +76,34 @@ TrimEdge edge_along(const ParameterPath& path) {
 
 TrimEdge side(const Point& start, const Point& end) { return {straight_line(start, end), {}}; }
 
-/// The face between both directrices over the segments [first, last).
-TrimEdgeLoop band_loop(const std::shared_ptr<const Directrix>& low,
-                       const std::shared_ptr<const Directrix>& high, std::size_t first,
-                       std::size_t last) {
-  TrimEdgeLoop loop;
-  for (std::size_t i = first; i < last; ++i) {
-    loop.push_back(edge_along([low, i](double t) { return low->at(i, t); }));
-  }
-  loop.push_back(side(low->end(last - 1), high->end(last - 1)));
-  for (std::size_t i = last; i-- > first;) {
-    loop.push_back(edge_along([high, i](double t) { return high->at(i, 1 - t); }));
-  }
-  loop.push_back(side(high->start(first), low->start(first)));
+/// The face between both directrices over the segments [first, last): along the first one, back
+/// along the second.
+TrimEdgeLoop band_loop(const Directrices& directrices, std::size_t first, std::size_t last) {
+  const auto& [low, high] = directrices;
+  const std::size_t count = last - first;
+  TrimEdgeLoop loop(2 * count + 2);
+  for_each_index(count, [&, low = low, high = high](std::size_t k) {
+    const std::size_t i = first + k;
+    loop[k] = edge_along([low, i](double t) { return low->at(i, t); });
+    loop[2 * count - k] = edge_along([high, i](double t) { return high->at(i, 1 - t); });
+  });
+  loop[count] = side(low->end(last - 1), high->end(last - 1));
+  loop[2 * count + 1] = side(high->start(first), low->start(first));
   return loop;
+}
+
+double deviation(const SurfaceEvaluation& section, const TrimEdge& edge) {
+  double largest = 0;
+  const std::vector<double>& knots = edge.curve.knots;
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    for (const double part : kPlaces) {
+      const double at = knots[i - 1] + part * (knots[i] - knots[i - 1]);
+      const Point exact = edge.path(at), near = evaluate(edge.curve, at);
+      const auto a = section(exact[0], exact[1]), b = section(near[0], near[1]);
+      largest = std::max(largest, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+    }
+  }
+  return largest;
 }
 
 }  // namespace
@@ -85,11 +113,10 @@ std::vector<TrimmedFace> trimmed_faces(const EnvelopeChain& chain, const Section
   std::vector<TrimmedFace> result(net.faces().size());
   for (std::size_t i = 0; i < result.size(); ++i) result[i].net_face = i;
   if (!std::holds_alternative<RulingBand>(chain.extent)) return result;
-  const auto low = std::make_shared<const Directrix>(chain, net.segments(), 0);
-  const auto high = std::make_shared<const Directrix>(chain, net.segments(), 1);
+  const Directrices directrices = directrices_of(net.segments(), chain.closed);
   for_each_index(result.size(), [&](std::size_t i) {
     const FaceNet& face = net.faces()[i];
-    result[i].loops = {band_loop(low, high, face.first_segment, face.last_segment)};
+    result[i].loops = {band_loop(directrices, face.first_segment, face.last_segment)};
   });
   return result;
 }
@@ -104,20 +131,18 @@ std::vector<TrimLoop> curves_of(const TrimmedFace& face) {
 }
 
 double trim_deviation(const BSplineSurface& section, const TrimmedFace& face) {
-  double largest = 0;
+  std::vector<const TrimEdge*> edges;
   for (const TrimEdgeLoop& loop : face.loops) {
     for (const TrimEdge& edge : loop) {
-      if (!edge.path) continue;
-      for (int i = 0; i <= kSamples; ++i) {
-        const double at = static_cast<double>(i) / kSamples;
-        const Point exact = edge.path(at), near = evaluate(edge.curve, at);
-        const auto a = evaluate(section, exact[0], exact[1]);
-        const auto b = evaluate(section, near[0], near[1]);
-        largest = std::max(largest, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
-      }
+      if (edge.path) edges.push_back(&edge);
     }
   }
-  return largest;
+  if (edges.empty()) return 0;
+  const SurfaceEvaluation evaluation(section);
+  std::vector<double> deviations(edges.size());
+  for_each_index(edges.size(),
+                 [&](std::size_t i) { deviations[i] = deviation(evaluation, *edges[i]); });
+  return *std::max_element(deviations.begin(), deviations.end());
 }
 
 }  // namespace pn

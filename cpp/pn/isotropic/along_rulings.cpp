@@ -110,34 +110,41 @@ NormalPlane ruling_plane(const RulingForms<double>& f, double t) {
 
 /// <(n, 1), c'> = 0 for a curve of spheres c.
 NormalPlane motion_plane(const SphereCurveForms<double>& c, double t) {
-  const double q = c.denominator(t), rate = c.denominator.derivative()(t) / q;
-  const std::array<Form<double>, 3> slope = {c.centre[0].derivative(), c.centre[1].derivative(),
-                                             c.centre[2].derivative()};
-  return {(value(slope, t) - rate * value(c.centre, t)) / q,
-          (c.radius.derivative()(t) - rate * c.radius(t)) / q};
+  const double q = c.denominator(t), rate = c.denominator.slope(t) / q;
+  const Vector3d slope(c.centre[0].slope(t), c.centre[1].slope(t), c.centre[2].slope(t));
+  return {(slope - rate * value(c.centre, t)) / q, (c.radius.slope(t) - rate * c.radius(t)) / q};
 }
 
-NormalPlane mean(const NormalPlane& a, const NormalPlane& b, double v) {
+/// <(n, 1), c'> = 0 for the curve at v between the directrices.
+NormalPlane motion_plane(const RulingForms<double>& f, double t, double v) {
+  const NormalPlane a = motion_plane(f.directrices[0], t), b = motion_plane(f.directrices[1], t);
   return {(1 - v) * a.axis + v * b.axis, (1 - v) * a.level + v * b.level};
+}
+
+/// The direction from the other sheet, whose normals are in the same planes, to the wanted one.
+Vector3d towards_band(const RulingForms<double>& f, double t, double v) {
+  return motion_plane(f, t, v).axis.cross(ruling_plane(f, t).axis);
 }
 
 /// Places on a span at which <w, g'> is looked at for its sign, which is the same all over it.
 constexpr int kSignSamples = 5;
 
 /// The sign of <w, g'>, freed of the roots that are divided out of the sections, at the normals
-/// half-way between the directrices.
+/// half-way between the directrices: where <w, g'> is largest, which is beside those roots.
 double side_of(const RulingForms<double>& f) {
-  double largest = 0;
+  double largest = 0, side = 1;
   for (int i = 0; i < kSignSamples; ++i) {
     const double t = (i + 0.5) / kSignSamples;
     const Vector3d n = band_normal(f, t, 0.5);
-    double q = n.x() * f.axis_slope[0](t) + n.y() * f.axis_slope[1](t) +
-               n.z() * f.axis_slope[2](t) + f.level_slope(t);
-    for (const double root : f.torsal_roots) q /= t - root;
-    for (const double root : f.common_roots) q /= t - root;
-    if (std::abs(q) > std::abs(largest)) largest = q;
+    const double q = n.x() * f.axis_slope[0](t) + n.y() * f.axis_slope[1](t) +
+                     n.z() * f.axis_slope[2](t) + f.level_slope(t);
+    if (!(std::abs(q) > largest)) continue;
+    largest = std::abs(q);
+    side = q < 0 ? -1 : 1;
+    for (const double root : f.torsal_roots) side = t < root ? -side : side;
+    for (const double root : f.common_roots) side = t < root ? -side : side;
   }
-  return largest < 0 ? -1 : 1;
+  return side;
 }
 
 /// What the sections of a span have to be multiplied by at its ends to continue those of
@@ -175,10 +182,6 @@ Vector4 minors(const Rulings& rulings) {
           determinant(a, g, turn, 0, 1, 3), determinant(a, g, turn, 0, 1, 2)};
 }
 
-/// At a free end of a span torsal rulings count that lie beyond it by up to this part: end tangents
-/// that are parallel but for the rounding of the poles put them there.
-Rational beyond_free_end() { return Rational(1) / Rational(16); }
-
 /// The zeros of a polynomial in the span, exact at joints.
 std::vector<RealBall> roots_on_span(RationalPolynomial p, const SpanPlace& place, long precision) {
   std::vector<RealBall> roots;
@@ -188,9 +191,8 @@ std::vector<RealBall> roots_on_span(RationalPolynomial p, const SpanPlace& place
     p = p.without_root(Rational(end));
   }
   if (p.degree() == 0) return roots;
-  const Rational beyond = beyond_free_end();
-  const RealBall low(place.meets_before ? Rational(0) : -beyond, precision);
-  const RealBall high(place.meets_after ? Rational(1) : Rational(1) + beyond, precision);
+  const TorsalRange range = torsal_range(place);
+  const RealBall low(range.low, precision), high(range.high, precision);
   for (const RealRoot& root : isolate_roots(p, precision).real) {
     const RealBall from_low = root.value - low, from_high = high - root.value;
     if (from_low.is_negative() || from_high.is_negative()) continue;
@@ -227,15 +229,14 @@ RationalPolynomial minkowski_square(const Vector4& m) {
 std::vector<RealBall> torsal_roots(const Rulings& rulings, const RulingForms<double>& forms,
                                    const LocalParameter& parameter, const SpanPlace& place,
                                    long precision) {
-  constexpr double kAside = 1e-4;
   const RulingNormal normal = ruling_normal(rulings);
   const Vector4& m = normal.coprime;
+  // The two sheets are on both sides of the plane of the ruling and its motion.
   const auto is_of_wanted_sheet = [&](const RealBall& root) {
     const Rational t = Rational::exactly(root.midpoint());
     const Vector3d n(m[0](t).to_double(), -m[1](t).to_double(), m[2](t).to_double());
     const double local = parameter.local_of(root).midpoint();
-    const double beside = local + (local < 0.5 ? kAside : -kAside);
-    return n.dot(band_normal(forms, beside, 0.5)) * m[3](t).sign() > 0;
+    return n.dot(towards_band(forms, local, 0.5)) * m[3](t).sign() > 0;
   };
   std::vector<RealBall> roots = roots_on_span(normal.common, place, precision);
   for (const RealBall& root : roots_on_span(minkowski_square(m), place, precision)) {
@@ -272,9 +273,8 @@ RulingForms<RealBall> turned(RulingForms<RealBall> f, double factor) {
 
 Vector3d band_normal(const RulingForms<double>& rulings, double t, double v) {
   const NormalPlane g = ruling_plane(rulings, t);
-  const NormalPlane motion =
-      mean(motion_plane(rulings.directrices[0], t), motion_plane(rulings.directrices[1], t), v);
-  const Vector3d across = motion.axis.cross(g.axis);
+  const NormalPlane motion = motion_plane(rulings, t, v);
+  const Vector3d across = towards_band(rulings, t, v);
   const double determinant = across.squaredNorm();
   const double gg = g.axis.squaredNorm(), gm = g.axis.dot(motion.axis),
                mm = motion.axis.squaredNorm();
@@ -323,6 +323,12 @@ Rulings with_least_denominator(const Rulings& rulings) {
           rulings.direction};
 }
 
+TorsalRange torsal_range(const SpanPlace& place) {
+  const Rational beyond = Rational(1) / Rational(16);
+  return {place.meets_before ? Rational(0) : -beyond,
+          place.meets_after ? Rational(1) : Rational(1) + beyond};
+}
+
 RationalPolynomial torsion(const Rulings& rulings) { return ruling_normal(rulings).common; }
 
 RationalPolynomial torsal_polynomial(const Rulings& rulings) {
@@ -366,6 +372,10 @@ LocalForms local_forms(const Rulings& rulings, const std::array<SphereCurve, 2>&
   f.scale = neighbours_scale(end_factors(f, t, RealBall(place.length, precision)), place);
   const double side = side_of(std::get<RulingForms<double>>(midpoint(Carrier<RealBall>(f))));
   return {turned(std::move(f), side), std::move(g), std::move(family.roots), t.is_substituted()};
+}
+
+int degree_of_lines(const Rulings& rulings) {
+  return excess_degree(rulings) + 4 * ((rulings.direction.degree() + 1) / 2);
 }
 
 Envelope along_rulings(const Rulings& rulings, const std::array<SphereCurve, 2>& directrices,

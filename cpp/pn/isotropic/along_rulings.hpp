@@ -55,6 +55,15 @@ struct SpanPlace {
   bool meets_before, meets_after;
 };
 
+/// Where torsal rulings of a span count, in its parameter on [0, 1]: beyond a free end too, by up
+/// to a part of it. End tangents that are parallel but for the rounding of the poles put them
+/// there.
+struct TorsalRange {
+  Rational low, high;
+};
+
+TorsalRange torsal_range(const SpanPlace& place);
+
 /// The greatest common divisor of the minors of a', g, g', freed of denominators: zero when the
 /// family is developable.
 RationalPolynomial torsion(const Rulings& rulings);
@@ -67,6 +76,9 @@ RationalPolynomial torsal_polynomial(const Rulings& rulings);
 /// part of every ruling.
 LocalForms local_forms(const Rulings& rulings, const std::array<SphereCurve, 2>& directrices,
                        const SpanPlace& place, long precision);
+
+/// The degree of the theorem along the rulings of lines, without torsal ones.
+int degree_of_lines(const Rulings& rulings);
 
 /// Gamma along rulings that are not developable, with D > 0 on [0, 1]. Throws GeometryError when
 /// every section exceeds the largest degree.

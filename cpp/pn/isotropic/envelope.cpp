@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/isotropic/envelope.hpp"
 
+#include <cmath>
+
 #include "pn/algebra/precision.hpp"
 #include "pn/isotropic/root_choice.hpp"
 #include "pn/isotropic/torsal_ruling.hpp"
@@ -13,12 +15,37 @@ bool brings_its_normal(const Carrier<RealBall>& carrier) {
   return std::holds_alternative<DevelopableForms<RealBall>>(carrier);
 }
 
+double length_of_column(const SpinorMatrix<ComplexBall>& a, std::size_t j, const ComplexBall& t) {
+  return std::hypot(std::abs(a.entry[0][j](t).midpoint()), std::abs(a.entry[1][j](t).midpoint()));
+}
+
+/// A C with a constant real C, a choice in doubles: in the middle both columns get the length 1 and
+/// a right angle, nearly. So doubles can follow A along a short span, far from its roots.
+SpinorMatrix<ComplexBall> balanced(SpinorMatrix<ComplexBall> a) {
+  const ComplexBall middle(0.5);
+  for (int pass = 0; pass < 2; ++pass) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      const ComplexBall scale(std::ldexp(1.0, -std::ilogb(length_of_column(a, j, middle))));
+      for (auto& row : a.entry) row[j] = row[j] * scale;
+    }
+    double dot = 0, square = 0;
+    for (const auto& row : a.entry) {
+      const std::complex<double> x = row[0](middle).midpoint(), y = row[1](middle).midpoint();
+      dot += (std::conj(y) * x).real();
+      square += std::norm(y);
+    }
+    for (auto& row : a.entry)
+      row[0] = row[0] + row[1].elevated(row[0].degree()) * ComplexBall(-dot / square);
+  }
+  return a;
+}
+
 SpinorMatrix<ComplexBall> factorize(const LocalForms& local, const RootChoice& choice) {
   if (brings_its_normal(local.carrier)) return {};
   SpinorMatrix<ComplexBall> spinor =
       spinor_factorization(hermitian_matrix(local.circles), half_roots(local.roots, choice));
   const auto* rulings = std::get_if<RulingForms<RealBall>>(&local.carrier);
-  return rulings ? pinched_at_torsal_rulings(std::move(spinor), *rulings) : spinor;
+  return rulings ? pinched_at_torsal_rulings(balanced(std::move(spinor)), *rulings) : spinor;
 }
 
 }  // namespace

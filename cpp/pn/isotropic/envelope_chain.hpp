@@ -69,8 +69,8 @@ using BoundaryArc = std::function<ContactPoint(double)>;
 /// loops it is the whole surface.
 struct BoundedRegion {
   std::vector<std::vector<BoundaryArc>> loops;
-  /// Whether the point with this unit normal is in the region.
-  std::function<bool(const Eigen::Vector3d& normal)> contains;
+  /// Whether a point is in the region.
+  std::function<bool(const ContactPoint&)> contains;
   /// The region reaches the ends t = 0 and t = 1 of the link, where all circles shrink to a point.
   bool has_first_pole, has_last_pole;
 };

@@ -36,16 +36,24 @@ template <class T>
 FormInU<T> operator+(const FormInU<T>& a, const FormInU<T>& b) {
   FormInU<T> sum;
   for (std::size_t j = 0; j < a.coefficient.size(); ++j) {
-    const int degree = std::max(a.coefficient[j].degree(), b.coefficient[j].degree());
-    sum.coefficient.push_back(a.coefficient[j].elevated(degree) +
-                              b.coefficient[j].elevated(degree));
+    const Form<T>&x = a.coefficient[j], &y = b.coefficient[j];
+    sum.coefficient.push_back(x.elevated(std::max(x.degree(), y.degree())));
+    for (int i = 0; i <= y.degree(); ++i) sum.coefficient.back()[i] += y[i];
   }
   return sum;
 }
 
 template <class T>
+FormInU<T> operator-(FormInU<T> a) {
+  for (Form<T>& c : a.coefficient) {
+    for (int i = 0; i <= c.degree(); ++i) c[i] = -c[i];
+  }
+  return a;
+}
+
+template <class T>
 FormInU<T> operator-(const FormInU<T>& a, const FormInU<T>& b) {
-  return a + Form<T>::constant(T(-1.0)) * b;
+  return a + -b;
 }
 
 /// C(n, j) for the small degrees in u.
@@ -55,15 +63,25 @@ constexpr double small_binomial(int n, int j) {
   return binomial;
 }
 
+/// The coefficients C(n, j) c_j.
+template <class T>
+std::vector<Form<T>> with_binomials(const FormInU<T>& a) {
+  std::vector<Form<T>> result;
+  for (int j = 0; j <= a.degree(); ++j) {
+    result.push_back(a.coefficient[j] * T(small_binomial(a.degree(), j)));
+  }
+  return result;
+}
+
 template <class T>
 FormInU<T> operator*(const FormInU<T>& a, const FormInU<T>& b) {
   const int n = a.degree(), m = b.degree();
+  const std::vector<Form<T>> left = with_binomials(a), right = with_binomials(b);
   FormInU<T> product;
   for (int k = 0; k <= n + m; ++k) {
     Form<T> sum;
     for (int i = std::max(0, k - m); i <= std::min(n, k); ++i) {
-      sum += a.coefficient[i] * b.coefficient[k - i] *
-             T(small_binomial(n, i) * small_binomial(m, k - i));
+      sum.add_product(left[i], right[k - i]);
     }
     // The quotient of two exact balls would carry the least precision; that of the sum does not.
     for (int i = 0; i <= sum.degree(); ++i) sum[i] /= T(small_binomial(n + m, k));

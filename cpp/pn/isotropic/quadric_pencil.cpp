@@ -32,10 +32,13 @@ Squares between_poles() {
           BallForm({RealBall(1), RealBall(-2), RealBall(1)})};
 }
 
-/// s = t, r = 1.
-Squares from_pole() {
+/// s = t and r from one value at t = 0 to another one at t = 1.
+Squares from_pole(const Rational& first, const Rational& last, long precision) {
+  const Rational rise = last - first;
   return {BallForm({RealBall(0), RealBall(0), RealBall(1)}),
-          BallForm({RealBall(1), RealBall(0), RealBall(0)})};
+          BallForm({in_balls(first * first, precision),
+                    in_balls(first * rise + first * rise, precision),
+                    in_balls(rise * rise, precision)})};
 }
 
 /// T as a quotient of forms.
@@ -106,7 +109,8 @@ class SphereFamily : public QuadricFamily {
   }
 
   double parameter(const Vector3d& n) const override {
-    return between_poles_at(1 + n.z(), 1 - n.z());
+    const Vector3d pole = Vector3d::UnitZ();
+    return between_poles_at((n + pole).squaredNorm(), (n - pole).squaredNorm());
   }
 
  private:
@@ -117,16 +121,28 @@ class SphereFamily : public QuadricFamily {
 struct OrderedAxes {
   std::array<Axis, 3> axis;
   std::array<Rational, 3> half;  ///< A, B, C
+  std::array<double, 3> value;   ///< the same
 
   Rational square(std::size_t i) const { return half[i] * half[i]; }
   double at(const Vector3d& n, std::size_t i) const {
     return n(static_cast<Eigen::Index>(axis[i]));
   }
-  double value(std::size_t i) const { return half[i].to_double(); }
+  /// sqrt(half_i^2 - half_j^2), i < j.
+  double root_of_difference(std::size_t i, std::size_t j) const {
+    return std::sqrt((value[i] - value[j]) * (value[i] + value[j]));
+  }
+  /// With these components along the first and the last axis.
+  Vector3d vector(double first, double last) const {
+    Vector3d v = Vector3d::Zero();
+    v(static_cast<Eigen::Index>(axis[0])) = first;
+    v(static_cast<Eigen::Index>(axis[2])) = last;
+    return v;
+  }
 };
 
 OrderedAxes ordered(const std::array<Axis, 3>& axes, const std::array<Rational, 3>& values) {
-  return {axes, {values[axes[0]], values[axes[1]], values[axes[2]]}};
+  const std::array<Rational, 3> half = {values[axes[0]], values[axes[1]], values[axes[2]]};
+  return {axes, half, {half[0].to_double(), half[1].to_double(), half[2].to_double()}};
 }
 
 class EllipsoidFamily : public QuadricFamily {
@@ -149,12 +165,18 @@ class EllipsoidFamily : public QuadricFamily {
   }
 
   double parameter(const Vector3d& n) const override {
-    const double a = axes_.value(0), b = axes_.value(1), c = axes_.value(2);
-    const double g = std::sqrt(a * a - b * b), l = std::sqrt(b * b - c * c);
+    // T is a zero of f(T) = m T^2 + 2 b T - p, and f(T0) = b T0 |n - pole|^2, f(-T0) = -b T0 |n +
+    // pole|^2: so the differences T0 - T and T0 + T keep all their digits at the poles.
+    const auto [a, b, c] = axes_.value;
+    const double g = axes_.root_of_difference(0, 1), l = axes_.root_of_difference(1, 2),
+                 whole = axes_.root_of_difference(0, 2);
+    const Vector3d pole = axes_.vector(g * c / (b * whole), l * a / (b * whole));
     const double h = Vector3d(a * axes_.at(n, 0), b * axes_.at(n, 1), c * axes_.at(n, 2)).norm();
-    const double t = (g * axes_.at(n, 0) + l * axes_.at(n, 2)) / (b + h);
-    const double t0 = std::sqrt((a - c) / (a + c));
-    return between_poles_at(t0 + t, t0 - t);
+    const double p = g * axes_.at(n, 0) + l * axes_.at(n, 2),
+                 m = g * axes_.at(n, 0) - l * axes_.at(n, 2);
+    const double t = p / (b + h), t0 = whole / (a + c);
+    return between_poles_at((n + pole).squaredNorm() / (2 * b + m * (t - t0)),
+                            (n - pole).squaredNorm() / (2 * b + m * (t + t0)));
   }
 
  private:
@@ -222,13 +244,17 @@ class TwoSheetHyperboloidFamily : public QuadricFamily {
   }
 
   double parameter(const Vector3d& n) const override {
-    const double a = axes_.value(0), b = axes_.value(1), c = axes_.value(2);
-    const double p = std::hypot(a, b), q = std::sqrt(b * b - c * c);
+    const auto [a, b, c] = axes_.value;
+    const double p = std::hypot(a, b), q = axes_.root_of_difference(1, 2), r = std::hypot(a, c);
     const double na = a * axes_.at(n, 0), nb = b * axes_.at(n, 1), nc = c * axes_.at(n, 2);
     const double h = std::sqrt(std::max(0.0, na * na - nb * nb - nc * nc));
-    const double t = (h - q * axes_.at(n, 2)) / (b - p * axes_.at(n, 0));
-    const double t0 = a / (std::hypot(a, c) + c);
-    return between_poles_at(t0 - t, t0 + t);
+    // T is the larger zero of f(T) = d T^2 + 2 q n3 T + (b + p n1), and f(T0) = b r / (r + c)
+    // |n - pole|^2: so the difference T0 - T keeps all its digits at the pole.
+    const Vector3d pole = axes_.vector(-p * c / (b * r), -q * a / (b * r));
+    const double d = b - p * axes_.at(n, 0), skew = q * axes_.at(n, 2);
+    const double t = (h - skew) / d, t0 = a / (r + c);
+    const double at_end = b * r / (r + c) * (n - pole).squaredNorm();
+    return between_poles_at(at_end / (h + skew + d * t0), t0 + t);
   }
 
  private:
@@ -284,12 +310,23 @@ class TwoSheetHyperboloidFamily : public QuadricFamily {
 
 class EllipticParaboloidFamily : public QuadricFamily {
  public:
-  explicit EllipticParaboloidFamily(const std::array<Rational, 3>& half_axes) {
+  EllipticParaboloidFamily(const std::array<Rational, 3>& half_axes,
+                           const std::vector<Vector3d>& far_normals) {
     const auto [first, second] = by_size<2>({0, 1}, half_axes);
     axis_ = {first, second};
     const Rational twice = half_axes[2] + half_axes[2];
     square_ = {half_axes[first] * half_axes[first] / twice,
                half_axes[second] * half_axes[second] / twice};
+    pole_ = Vector3d(0, 0, -std::sqrt((square_[1] / square_[0]).to_double()));
+    pole_(static_cast<Eigen::Index>(second)) =
+        std::sqrt(((square_[0] - square_[1]) / square_[0]).to_double());
+    double far = 0;
+    for (const Vector3d& n : far_normals) far = std::max(far, ratio(n));
+    // The distance from the pole grows nearly as q / (1 - q^2), q = s / r. At the pole weights are
+    // as r^6, at the end as (r^2 - s^2)^2 r^2: r is such that they are of one size.
+    const double distance = kBeyond * far / (1 - far * far);
+    last_ = (1 + std::sqrt(1 + 4 * distance * distance)) / (2 * distance);
+    first_ = last_ * std::cbrt(1 - 1 / (last_ * last_));
   }
 
   LocalForms forms(long precision) const override {
@@ -300,24 +337,36 @@ class EllipticParaboloidFamily : public QuadricFamily {
     circles.level = -root_of(square_[0], precision) * t.denominator;
     DoubleRoots roots;
     roots.real = {{RealBall(0), 1}};
-    roots.infinite_copies = 1;
+    const Rational first = Rational::exactly(first_), rise = Rational::exactly(last_) - first;
+    if (rise.is_zero()) {
+      roots.infinite_copies = 1;
+    } else {
+      roots.real.push_back({in_balls(-first / rise, precision), 1});
+    }
     return {carrier(precision), std::move(circles), std::move(roots), true};
   }
 
   double parameter(const Vector3d& n) const override {
-    const double a = square_[0].to_double(), b = square_[1].to_double();
-    const double across = n(static_cast<Eigen::Index>(axis_[1]));
-    const double t = (std::sqrt(a) - std::sqrt(a - b) * across) / n.z();
-    const double ratio = -t / std::sqrt(b);
-    return std::sqrt(std::max(0.0, (ratio - 1) / (ratio + 1)));
+    const double q = ratio(n);
+    return first_ * q / (1 - (last_ - first_) * q);
   }
 
  private:
   RealBall gap(long precision) const { return root_of(square_[0] - square_[1], precision); }
 
+  /// s / r of a normal. -T -+ sqrt(B) is sqrt(A) |n - e|^2 / 2 over -n3, with e the pole and its
+  /// mirror image: so the ratio keeps all its digits at the pole.
+  double ratio(const Vector3d& n) const {
+    const Vector3d mirrored(pole_.x(), pole_.y(), -pole_.z());
+    return (n - pole_).norm() / (n - mirrored).norm();
+  }
+
+  /// The family ends so much farther from the pole than the farthest normal.
+  static constexpr double kBeyond = 1.125;
+
   /// T = -sqrt(B) (r^2 + s^2) / (r^2 - s^2).
   Quotient ruling(long precision) const {
-    const auto [s, r] = from_pole();
+    const auto [s, r] = from_pole(Rational::exactly(first_), Rational::exactly(last_), precision);
     return {-root_of(square_[1], precision) * (r + s), r - s};
   }
 
@@ -344,6 +393,8 @@ class EllipticParaboloidFamily : public QuadricFamily {
 
   std::array<Axis, 2> axis_;        ///< of A and B
   std::array<Rational, 2> square_;  ///< A and B
+  Vector3d pole_;                   ///< the normal at t = 0
+  double first_, last_;             ///< r at t = 0 and t = 1
 };
 
 }  // namespace
@@ -361,8 +412,8 @@ std::shared_ptr<const QuadricFamily> two_sheet_hyperboloid_family(
 }
 
 std::shared_ptr<const QuadricFamily> elliptic_paraboloid_family(
-    const std::array<Rational, 3>& half_axes) {
-  return std::make_shared<EllipticParaboloidFamily>(half_axes);
+    const std::array<Rational, 3>& half_axes, const std::vector<Vector3d>& far_normals) {
+  return std::make_shared<EllipticParaboloidFamily>(half_axes, far_normals);
 }
 
 }  // namespace pn

@@ -34,6 +34,7 @@
 #include <Eigen/Dense>
 #include <array>
 #include <memory>
+#include <vector>
 
 #include "pn/isotropic/envelope.hpp"
 
@@ -55,8 +56,9 @@ std::shared_ptr<const QuadricFamily> ellipsoid_family(const std::array<Rational,
 std::shared_ptr<const QuadricFamily> two_sheet_hyperboloid_family(
     const std::array<Rational, 3>& half_axes);
 
-/// z = c (x^2/a^2 + y^2/b^2), n away from the axis; t = 0 is an umbilic, t = 1 at infinity.
+/// z = c (x^2/a^2 + y^2/b^2), n away from the axis; t = 0 is an umbilic, and t = 1 lies somewhat
+/// beyond all of these unit normals.
 std::shared_ptr<const QuadricFamily> elliptic_paraboloid_family(
-    const std::array<Rational, 3>& half_axes);
+    const std::array<Rational, 3>& half_axes, const std::vector<Eigen::Vector3d>& far_normals);
 
 }  // namespace pn

@@ -107,7 +107,13 @@ HomogeneousSections<T> sections(const SphereCurveForms<T>& curve, const Isotropi
 template <class T>
 FormInU<T> contracted(const std::array<Form<T>, 3>& spatial, const Form<T>& last,
                       const IsotropicVector<T>& w) {
-  return spatial[0] * w[0] + spatial[1] * w[1] + spatial[2] * w[2] + last * w[3];
+  FormInU<T> sum;
+  for (std::size_t j = 0; j < w[3].coefficient.size(); ++j) {
+    Form<T> c = last * w[3].coefficient[j];
+    for (std::size_t i = 0; i < 3; ++i) c.add_product(spatial[i], w[i].coefficient[j]);
+    sum.coefficient.push_back(std::move(c));
+  }
+  return sum;
 }
 
 /// Without the leading coefficients beyond this degree, which are known to vanish.
@@ -133,22 +139,33 @@ FormInU<T> divided_by_roots(FormInU<T> form, const std::vector<T>& roots) {
   return form;
 }
 
+/// A component of the sections without what all of them have in common.
+template <class T>
+FormInU<T> reduced(const RulingForms<T>& f, const FormInU<T>& component,
+                   const IsotropicVector<T>& w) {
+  const int degree = f.degree + 2 * w[3].coefficient[0].degree() - f.common_at_infinity;
+  return f.scale * divided_by_roots(divided_by_roots(truncated(component, degree), f.common_roots),
+                                    f.torsal_roots);
+}
+
+/// The weight of the sections alone.
+template <class T>
+FormInU<T> section_weight(const RulingForms<T>& f, const IsotropicVector<T>& w) {
+  const FormInU<T> q = contracted(f.axis_slope, f.level_slope, w);
+  return reduced(f, f.denominator * (f.denominator * q * w[3]), w);
+}
+
 template <class T>
 HomogeneousSections<T> sections(const RulingForms<T>& f, const IsotropicVector<T>& w) {
   const FormInU<T> p = contracted(f.point_wronskian, f.radius_wronskian, w);
   const FormInU<T> q = contracted(f.axis_slope, f.level_slope, w);
-  const FormInU<T> weight = f.denominator * q;
-  const int degree = f.degree + 2 * w[3].coefficient[0].degree() - f.common_at_infinity;
-  const auto reduced = [&](const FormInU<T>& form) {
-    return f.scale * divided_by_roots(divided_by_roots(truncated(form, degree), f.common_roots),
-                                      f.torsal_roots);
-  };
-  const FormInU<T> along = f.radius * weight - f.level * p;
+  const FormInU<T> weight = f.denominator * q, along = f.radius * weight - f.level * p;
+  const FormInU<T> weight_w4 = weight * w[3], p_w4 = p * w[3];
   HomogeneousSections<T> result;
-  result.weight = reduced(f.denominator * (weight * w[3]));
+  result.weight = reduced(f, f.denominator * weight_w4, w);
   for (std::size_t i = 0; i < 3; ++i) {
-    result.point[i] = reduced((f.point[i] * weight - f.axis[i] * p) * w[3] + along * w[i]);
-    result.direction[i] = reduced(f.denominator * (weight * w[i]));
+    result.point[i] = reduced(f, f.point[i] * weight_w4 - f.axis[i] * p_w4 + along * w[i], w);
+    result.direction[i] = reduced(f, f.denominator * (weight * w[i]), w);
   }
   return result;
 }

@@ -40,6 +40,9 @@ constexpr double kAgreement = 1e-10;
 // is all that is left of the integrand; what such a stretch adds is too little to matter.
 constexpr double kShortest = 1e-6;
 
+// No stretch is halved.
+constexpr double kWhole = 1;
+
 // A p-curve is searched for crossings of the knot lines of its surface in this many steps between
 // its own knots. Two crossings inside one step would cost accuracy, not correctness.
 constexpr int kCrossingSteps = 32;
@@ -106,10 +109,12 @@ Sum integral(const Function& f, double a, double b, double shortest) {
   return sum += integral(f, middle, b, shortest);
 }
 
-// The same, split at `cuts` between a and b, in this order.
+// The same, split at `cuts` between a and b, in this order, the shortest stretch being a part of
+// the whole way.
 template <class Function>
-Sum integral(const Function& f, double a, const std::vector<double>& cuts, double b) {
-  const double shortest = kShortest * std::abs(b - a);
+Sum integral(const Function& f, double a, const std::vector<double>& cuts, double b,
+             double shortest_part) {
+  const double shortest = shortest_part * std::abs(b - a);
   Sum sum;
   for (const double cut : cuts) {
     sum += integral(f, a, cut, shortest);
@@ -192,7 +197,7 @@ class Domain {
 
   // Integral of density(S, S_u x S_v), which gives Sums, over u and v.
   template <class Density>
-  Sum integral_of(const Density& density) const {
+  Sum integral_of(const Density& density, double shortest_part) const {
     const double u0 = boundary_.front().curve.Value(boundary_.front().cuts.front()).X();
     const auto strip = [&](double u, double v) {
       const auto at = [&](double s) {
@@ -201,7 +206,7 @@ class Domain {
         surface_.D1(s, v, point, s_u, s_v);
         return density(point, s_u.Crossed(s_v));
       };
-      return integral(at, u0, u_knots_.passed(u0, u), u);
+      return integral(at, u0, u_knots_.passed(u0, u), u, shortest_part);
     };
     Sum sum;
     for (const BoundaryCurve& piece : boundary_) {
@@ -213,7 +218,7 @@ class Domain {
         return step.Y() == 0 ? Sum{} : step.Y() * strip(uv.X(), uv.Y());
       };
       const std::vector<double> inner(piece.cuts.begin() + 1, piece.cuts.end() - 1);
-      sum += piece.sign * integral(at, piece.cuts.front(), inner, piece.cuts.back());
+      sum += piece.sign * integral(at, piece.cuts.front(), inner, piece.cuts.back(), shortest_part);
     }
     return sum;
   }
@@ -271,20 +276,21 @@ class Domain {
   std::vector<BoundaryCurve> boundary_;
 };
 
-Sum area_of(const TopoDS_Face& face) {
-  return Domain(face).integral_of([](const gp_Pnt&, const gp_Vec& normal) {
-    const double size = normal.Magnitude();
-    return Sum{size, size};
-  });
+Sum area_of(const TopoDS_Face& face, double shortest_part) {
+  const auto size = [](const gp_Pnt&, const gp_Vec& normal) {
+    return Sum{normal.Magnitude(), normal.Magnitude()};
+  };
+  return Domain(face).integral_of(size, shortest_part);
 }
 
 // Volume of the cone from `apex` over a face, negative where the face points towards it.
 Sum volume_below(const TopoDS_Face& face, const gp_Pnt& apex) {
   const Domain domain(face);
-  return domain.sign() / 3 * domain.integral_of([&](const gp_Pnt& point, const gp_Vec& normal) {
+  const auto cone = [&](const gp_Pnt& point, const gp_Vec& normal) {
     const gp_Vec ray(apex, point);
     return Sum{ray.Dot(normal), ray.Magnitude() * normal.Magnitude()};
-  });
+  };
+  return domain.sign() / 3 * domain.integral_of(cone, kShortest);
 }
 
 // Volume inside a closed shell. An apex on the shell keeps the cones small.
@@ -310,10 +316,10 @@ Sum volume_of_closed_shells(const TopoDS_Shape& shape) {
   return sum;
 }
 
-Sum area_of_faces(const TopoDS_Shape& shape) {
+Sum area_of_faces(const TopoDS_Shape& shape, double shortest_part = kShortest) {
   Sum sum;
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
-    sum += area_of(TopoDS::Face(face.Current()));
+    sum += area_of(TopoDS::Face(face.Current()), shortest_part);
   }
   return sum;
 }
@@ -343,6 +349,10 @@ double volume(const TopoDS_Shape& shape) {
 
 double area(const TopoDS_Shape& shape) {
   return with_occt_errors([&] { return area_of_faces(shape).value; });
+}
+
+double area_by_one_rule(const TopoDS_Shape& shape) {
+  return with_occt_errors([&] { return area_of_faces(shape, kWhole).value; });
 }
 
 Measure measured_volume(const TopoDS_Shape& shape) {

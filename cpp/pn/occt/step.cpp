@@ -6,6 +6,8 @@
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <Message_ProgressIndicator.hxx>
+#include <Message_ProgressScope.hxx>
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <STEPControl_Reader.hxx>
@@ -58,6 +60,33 @@ class ScopedSilence {
   Message_SequenceOfPrinters printers_;
 };
 
+// What the steps of an export take of its time, roughly.
+constexpr double kTransferShare = 1;
+constexpr double kPrintShare = 1;
+constexpr double kReadShare = 5;
+constexpr double kCompareShare = 5;
+constexpr double kAllShares = kTransferShare + kPrintShare + kReadShare + kCompareShare;
+
+// OpenCASCADE's progress as a function that may ask to break off.
+class ProgressIndicator : public Message_ProgressIndicator {
+ public:
+  explicit ProgressIndicator(const Progress& progress) : progress_(progress) {}
+  Standard_Boolean UserBreak() override { return is_cancelled_; }
+
+ protected:
+  void Show(const Message_ProgressScope&, const Standard_Boolean) override {
+    if (progress_ && !is_cancelled_) is_cancelled_ = !progress_(GetPosition());
+  }
+
+ private:
+  const Progress& progress_;
+  bool is_cancelled_ = false;
+};
+
+void require_more(const Message_ProgressScope& scope) {
+  if (!scope.More()) throw Cancelled("The export was cancelled.");
+}
+
 // The application protocol in OpenCASCADE's own words.
 std::string protocol_name(StepSchema schema) {
   switch (schema) {
@@ -102,7 +131,7 @@ void print(STEPControl_Writer& writer, const std::filesystem::path& path) {
 }
 
 void write_model(const std::filesystem::path& path, const std::vector<NamedShape>& shapes,
-                 const StepOptions& options) {
+                 const StepOptions& options, Message_ProgressScope& scope) {
   const ScopedSilence silence;
   STEPCAFControl_Controller::Init();  // Before it OpenCASCADE has none of these settings.
   const ScopedSetting schema("write.step.schema", protocol_name(options.schema));
@@ -110,21 +139,57 @@ void write_model(const std::filesystem::path& path, const std::vector<NamedShape
   const ScopedSetting unit("write.step.unit", "MM");
   STEPCAFControl_Writer writer;
   writer.SetNameMode(true);
-  if (!writer.Transfer(document(shapes), STEPControl_AsIs)) {
-    throw OcctError("OpenCASCADE could not translate the shapes to STEP.");
-  }
+  const bool is_done =
+      writer.Transfer(document(shapes), STEPControl_AsIs, nullptr, scope.Next(kTransferShare));
+  require_more(scope);
+  if (!is_done) throw OcctError("OpenCASCADE could not translate the shapes to STEP.");
   print(writer.ChangeWriter(), path);
+  scope.Next(kPrintShare);
+  require_more(scope);
 }
 
-}  // namespace
+std::vector<TopoDS_Shape> read_model(const std::filesystem::path& path,
+                                     Message_ProgressScope& scope) {
+  if (!std::ifstream(path)) throw_file_error("The STEP file cannot be opened", path);
+  const ScopedSilence silence;
+  STEPCAFControl_Controller::Init();
+  const ScopedSetting unit("xstep.cascade.unit", "MM");
+  STEPControl_Reader reader;
+  const bool is_read = reader.ReadFile(path.c_str()) == IFSelect_RetDone;
+  const bool has_roots = is_read && reader.TransferRoots(scope.Next(kReadShare)) > 0;
+  require_more(scope);
+  if (!has_roots) {
+    throw OcctError("No shape can be read from the STEP file " + path.string() + ".");
+  }
+  std::vector<TopoDS_Shape> shapes;
+  for (int i = 1; i <= reader.NbShapes(); ++i) shapes.push_back(reader.Shape(i));
+  return shapes;
+}
 
-void write_step(const std::filesystem::path& path, const std::vector<NamedShape>& shapes,
-                const StepOptions& options) {
+RoundTrip read_back(const std::filesystem::path& path, const std::vector<NamedShape>& shapes,
+                    Message_ProgressScope& scope) {
+  std::vector<TopoDS_Shape> written;
+  for (const NamedShape& named : shapes) written.push_back(named.shape);
+  const auto read = read_model(path, scope);
+  RoundTrip result = compare_round_trip(written, read, scope.Next(kCompareShare));
+  require_more(scope);
+  if (!result.differences.empty()) {
+    std::string text = "The STEP file was not kept, since it does not hold what was written.";
+    for (const std::string& difference : result.differences) text += " " + difference;
+    throw RoundTripError(text);
+  }
+  return result;
+}
+
+// Does the work on a file aside, which gets its name when all is well, and gives its result.
+template <class Work>
+auto with_file_aside(const std::filesystem::path& path, const Work& work) {
   std::filesystem::path partial = path;
   partial += ".partial";
   try {
-    with_occt_errors([&] { write_model(partial, shapes, options); });
+    auto result = with_occt_errors([&] { return work(partial); });
     std::filesystem::rename(partial, path);
+    return result;
   } catch (...) {
     std::error_code none_written;
     std::filesystem::remove(partial, none_written);
@@ -132,19 +197,32 @@ void write_step(const std::filesystem::path& path, const std::vector<NamedShape>
   }
 }
 
+}  // namespace
+
+void write_step(const std::filesystem::path& path, const std::vector<NamedShape>& shapes,
+                const StepOptions& options) {
+  with_file_aside(path, [&](const std::filesystem::path& file) {
+    Message_ProgressScope unwatched(Message_ProgressRange(), "STEP export", kAllShares);
+    write_model(file, shapes, options, unwatched);
+    return std::filesystem::file_size(file);
+  });
+}
+
+StepReport write_verified_step(const std::filesystem::path& path,
+                               const std::vector<NamedShape>& shapes, const StepOptions& options,
+                               const Progress& progress) {
+  return with_file_aside(path, [&](const std::filesystem::path& file) {
+    const Handle(ProgressIndicator) indicator = new ProgressIndicator(progress);
+    Message_ProgressScope scope(indicator->Start(), "STEP export", kAllShares);
+    write_model(file, shapes, options, scope);
+    return StepReport{read_back(file, shapes, scope), std::filesystem::file_size(file)};
+  });
+}
+
 std::vector<TopoDS_Shape> read_step(const std::filesystem::path& path) {
-  if (!std::ifstream(path)) throw_file_error("The STEP file cannot be opened", path);
   return with_occt_errors([&] {
-    const ScopedSilence silence;
-    STEPCAFControl_Controller::Init();
-    const ScopedSetting unit("xstep.cascade.unit", "MM");
-    STEPControl_Reader reader;
-    if (reader.ReadFile(path.c_str()) != IFSelect_RetDone || reader.TransferRoots() == 0) {
-      throw OcctError("No shape can be read from the STEP file " + path.string() + ".");
-    }
-    std::vector<TopoDS_Shape> shapes;
-    for (int i = 1; i <= reader.NbShapes(); ++i) shapes.push_back(reader.Shape(i));
-    return shapes;
+    Message_ProgressScope unwatched(Message_ProgressRange(), "STEP import", kReadShare);
+    return read_model(path, unwatched);
   });
 }
 

@@ -3,9 +3,14 @@
 #pragma once
 
 #include <TopoDS_Shape.hxx>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "pn/occt/round_trip.hpp"
 
 namespace pn {
 
@@ -24,13 +29,42 @@ struct NamedShape {
   std::string name;
 };
 
+/// What is called now and then with the part of the work that is done, from 0 to 1, and answers
+/// whether to go on.
+using Progress = std::function<bool(double)>;
+
+/// The work was broken off because `Progress` said so.
+class Cancelled : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What was written does not come back from the file: a sentence on each difference.
+class RoundTripError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What a complete file holds, as it was read back from it.
+struct StepReport {
+  RoundTrip round_trip;
+  std::uintmax_t bytes = 0;
+};
+
 /// Writes the shapes, in millimetres, each as one product, every real with 17 significant digits.
 ///
-/// The file appears under its name only when it is complete. Throws
-/// std::filesystem::filesystem_error when it cannot be written, OcctError when OpenCASCADE cannot
-/// translate a shape.
+/// The file appears under its name only when it is complete; until then, and after any failure, a
+/// file of that name stays as it is. Throws std::filesystem::filesystem_error when it cannot be
+/// written, OcctError when OpenCASCADE cannot translate a shape.
 void write_step(const std::filesystem::path& path, const std::vector<NamedShape>& shapes,
                 const StepOptions& options = {});
+
+/// The same, but the file is read back first, and appears only when it holds just what was written.
+///
+/// Throws also RoundTripError and Cancelled.
+StepReport write_verified_step(const std::filesystem::path& path,
+                               const std::vector<NamedShape>& shapes,
+                               const StepOptions& options = {}, const Progress& progress = {});
 
 /// The shapes of a STEP file, one for each root product, in millimetres. OpenCASCADE makes closed
 /// surfaces periodic; `from_geometry` undoes this.

@@ -72,6 +72,10 @@ bool have_equal_structure(const BSplineSurface& a, const BSplineSurface& b) {
                     have_equal_trims);
 }
 
+bool have_equal_structure(const BoundaryCurve& a, const BoundaryCurve& b) {
+  return a.degree == b.degree && a.knots == b.knots && a.multiplicities == b.multiplicities;
+}
+
 // The ruled surface between two curves over the same knots.
 BSplineSurface ruled_surface(const BoundaryCurve& a, const BoundaryCurve& b) {
   BSplineSurface surface{a.degree, 1, a.knots, {0, 1}, a.multiplicities, {2, 2}, {}, {}, {}};
@@ -88,13 +92,48 @@ BoundaryCurve standing_still(BoundaryCurve curve, const std::array<double, 3>& p
   return curve;
 }
 
-// The faces of two offsets and, one after the other, the walls between them.
+bool correspond(const std::vector<BSplineSurface>& inner,
+                const std::vector<BSplineSurface>& outer) {
+  return std::equal(inner.begin(), inner.end(), outer.begin(), outer.end(),
+                    [](const auto& a, const auto& b) { return have_equal_structure(a, b); });
+}
+
+// The images of the trims of each face.
+using Images = std::vector<TrimImages>;
+
+Images images_of(const std::vector<BSplineSurface>& surfaces) {
+  Images images;
+  for (const BSplineSurface& surface : surfaces) {
+    images.push_back(trim_images(surface, {to_geometry(surface)}).front());
+  }
+  return images;
+}
+
+// The same for two offsets: over the same knots where trims correspond.
+std::pair<Images, Images> images_of(const std::vector<BSplineSurface>& inner,
+                                    const std::vector<BSplineSurface>& outer) {
+  if (!correspond(inner, outer)) return {images_of(inner), images_of(outer)};
+  std::pair<Images, Images> images;
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    const auto both = trim_images(inner[i], {to_geometry(inner[i]), to_geometry(outer[i])});
+    images.first.push_back(both.front());
+    images.second.push_back(both.back());
+  }
+  return images;
+}
+
+// The faces of two shells and, one after the other, the walls between them.
 class WalledFaces {
  public:
   WalledFaces(const std::vector<BSplineSurface>& inner, const std::vector<BSplineSurface>& outer) {
-    add_offsets(inner, outer);
-    for (const auto& [start, end] : free_edges()) add_wall(start, end);
-    has_walls_ = faces_.size() > inner.size() + outer.size();
+    const auto [inner_images, outer_images] = images_of(inner, outer);
+    const std::vector<std::size_t> starts = free_edges(add(inner, inner_images));
+    const std::vector<std::size_t> ends = free_edges(add(outer, outer_images));
+    has_walls_ = is_open(starts);
+    if (has_walls_ != is_open(ends)) {
+      throw std::invalid_argument("A thick solid needs closed shells, and one of the two is open.");
+    }
+    if (has_walls_) add_walls(starts, ends);
   }
 
   bool has_walls() const { return has_walls_; }
@@ -102,43 +141,53 @@ class WalledFaces {
   std::vector<TopoDS_Shell> shells() const { return make_shells(edges_, faces_); }
 
  private:
-  void add_offsets(const std::vector<BSplineSurface>& inner,
-                   const std::vector<BSplineSurface>& outer) {
-    std::vector<BoundedSurface> outer_faces;
-    std::vector<TrimImages> outer_images;
-    for (std::size_t i = 0; i < inner.size(); ++i) {
-      const auto inner_geometry = to_geometry(inner[i]);
-      const auto outer_geometry = to_geometry(outer[i]);
-      const auto images = trim_images(inner[i], {inner_geometry, outer_geometry});
-      faces_.push_back({inner_geometry, edges_.add(inner[i], images.front())});
-      outer_faces.push_back({outer_geometry, {}});
-      outer_images.push_back(images.back());
+  // The boundaries of the faces.
+  std::vector<FaceBoundary> add(const std::vector<BSplineSurface>& surfaces, const Images& images) {
+    std::vector<FaceBoundary> boundaries;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      boundaries.push_back(edges_.add(surfaces[i], images[i]));
+      faces_.push_back({to_geometry(surfaces[i]), boundaries.back()});
     }
-    for (std::size_t i = 0; i < outer.size(); ++i) {
-      outer_faces[i].boundary = edges_.add(outer[i], outer_images[i]);
-      faces_.push_back(outer_faces[i]);
-    }
+    return boundaries;
   }
 
-  // The edges of one face only, with their counterparts. Between two points there is no wall.
-  std::vector<std::pair<std::size_t, std::size_t>> free_edges() const {
-    const std::size_t half = faces_.size() / 2;
+  // The edges that one face only runs: of every first run those in the order of the faces, then of
+  // every second. So the ends of a pipe come in the same order, however many faces it has.
+  std::vector<std::size_t> free_edges(const std::vector<FaceBoundary>& boundaries) const {
+    std::vector<std::pair<std::size_t, std::size_t>> edges_at;
     std::vector<int> uses(edges_.size());
-    for (std::size_t face = 0; face < half; ++face) {
-      for (const Run& run : runs(faces_[face].boundary)) ++uses[run.edge];
-    }
-    std::vector<std::pair<std::size_t, std::size_t>> result;
-    for (std::size_t face = 0; face < half; ++face) {
-      const std::vector<Run> inner = runs(faces_[face].boundary);
-      const std::vector<Run> outer = runs(faces_[half + face].boundary);
-      for (std::size_t i = 0; i < inner.size(); ++i) {
-        const std::size_t start = inner[i].edge;
-        const std::size_t end = outer[i].edge;
-        const bool are_points = edges_.is_degenerate(start) && edges_.is_degenerate(end);
-        if (uses[start] == 1 && !are_points) result.emplace_back(start, end);
+    for (const FaceBoundary& boundary : boundaries) {
+      const std::vector<Run> around = runs(boundary);
+      for (std::size_t i = 0; i < around.size(); ++i) {
+        edges_at.emplace_back(i, around[i].edge);
+        ++uses[around[i].edge];
       }
     }
+    std::stable_sort(edges_at.begin(), edges_at.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::size_t> result;
+    for (const auto& [place, edge] : edges_at) {
+      if (uses[edge] == 1) result.push_back(edge);
+    }
     return result;
+  }
+
+  // Points leave no shell open.
+  bool is_open(const std::vector<std::size_t>& free_edges) const {
+    return std::any_of(free_edges.begin(), free_edges.end(),
+                       [&](std::size_t edge) { return !edges_.is_degenerate(edge); });
+  }
+
+  void add_walls(const std::vector<std::size_t>& starts, const std::vector<std::size_t>& ends) {
+    if (starts.size() != ends.size()) {
+      throw std::invalid_argument("The two open shells do not have as many free edges.");
+    }
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      // Between two points there is no wall.
+      if (!edges_.is_degenerate(starts[i]) || !edges_.is_degenerate(ends[i])) {
+        add_wall(starts[i], ends[i]);
+      }
+    }
   }
 
   void add_wall(std::size_t start, std::size_t end) {
@@ -147,7 +196,12 @@ class WalledFaces {
       return edges_.is_degenerate(edge) ? standing_still(known, edges_.start_of(edge))
                                         : edges_.side_along(edge);
     };
-    const BSplineSurface wall = ruled_surface(side(start), side(end));
+    const BoundaryCurve from = side(start);
+    const BoundaryCurve to = side(end);
+    if (!have_equal_structure(from, to)) {
+      throw std::invalid_argument("The free edges of the two open shells do not correspond.");
+    }
+    const BSplineSurface wall = ruled_surface(from, to);
     faces_.push_back({to_geometry(wall), edges_.add(wall, {})});
   }
 
@@ -155,12 +209,6 @@ class WalledFaces {
   std::vector<BoundedSurface> faces_;
   bool has_walls_ = false;
 };
-
-bool correspond(const std::vector<BSplineSurface>& inner,
-                const std::vector<BSplineSurface>& outer) {
-  return std::equal(inner.begin(), inner.end(), outer.begin(), outer.end(),
-                    [](const auto& a, const auto& b) { return have_equal_structure(a, b); });
-}
 
 // The solids with voids between as many closed shells.
 std::vector<TopoDS_Solid> solids_with_voids(const std::vector<TopoDS_Shell>& inner,
@@ -175,29 +223,12 @@ std::vector<TopoDS_Solid> solids_with_voids(const std::vector<TopoDS_Shell>& inn
   return solids;
 }
 
-std::vector<TopoDS_Solid> solids_between_others(const std::vector<BSplineSurface>& inner,
-                                                const std::vector<BSplineSurface>& outer) {
-  const auto is_open = [](const TopoDS_Shell& shell) { return !BRep_Tool::IsClosed(shell); };
-  const std::vector<TopoDS_Shell> inner_shells = make_shells(inner);
-  const std::vector<TopoDS_Shell> outer_shells = make_shells(outer);
-  if (std::all_of(inner_shells.begin(), inner_shells.end(), is_open) &&
-      std::all_of(outer_shells.begin(), outer_shells.end(), is_open)) {
-    throw std::invalid_argument("The faces of the two open shells do not correspond.");
-  }
-  return solids_with_voids(inner_shells, outer_shells);
-}
-
 std::vector<TopoDS_Solid> solids_between(const std::vector<BSplineSurface>& inner,
                                          const std::vector<BSplineSurface>& outer) {
-  if (!correspond(inner, outer)) return solids_between_others(inner, outer);
   const WalledFaces faces(inner, outer);
-  const std::vector<TopoDS_Shell> shells = faces.shells();
-  if (!faces.has_walls()) {
-    const auto middle = shells.begin() + shells.size() / 2;
-    return solids_with_voids({shells.begin(), middle}, {middle, shells.end()});
-  }
+  if (!faces.has_walls()) return solids_with_voids(make_shells(inner), make_shells(outer));
   std::vector<TopoDS_Solid> solids;
-  for (const TopoDS_Shell& shell : shells) solids.push_back(solid_inside(shell));
+  for (const TopoDS_Shell& shell : faces.shells()) solids.push_back(solid_inside(shell));
   return solids;
 }
 

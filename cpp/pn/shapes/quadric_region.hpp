@@ -1,36 +1,30 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Regions of quadrics: the part inside a box and a sector, and the arcs that bound it.
 //
-// The faces of the box and the half-planes of the sector meet a quadric in conics. Every conic is
-// cut where it meets the other ones, and the arcs inside all other bounds, end to end, are the
-// boundary. All this is done in doubles: it says where the edges of faces are, never where the
-// surface is.
+// The faces of the box and the half-planes of the sector meet a quadric in conics
+// (quadric_sections.hpp). The points that lie on two of them are computed once and cut all conics
+// through them. An arc between two cuts bounds the region when just one of its sides is inside all
+// bounds: so bounds that touch the surface, each other, or coincide are as good as others. Arcs end
+// to end are the loops.
 #pragma once
 
 #include <Eigen/Dense>
 #include <array>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "pn/shapes/quadric_sections.hpp"
 
 namespace pn {
 
 /// Points so near, relative to the region, are one: far above rounding, far below what is drawn.
 inline constexpr double kSamePoint = 1e-9;
 
-/// An interval of a coordinate, in millimetres or radians.
-struct Interval {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-
-  bool is_bounded() const { return low > -HUGE_VAL && high < HUGE_VAL; }
-};
-
 /// Bounds of a base surface in standard position: a box, and a sector about the z-axis.
 struct QuadricBounds {
-  std::array<Interval, 3> box;
+  Box box;
   std::optional<Interval> angle;
 };
 
@@ -40,26 +34,27 @@ void require_bounds(const QuadricBounds& bounds);
 /// Whether a point is inside all bounds.
 bool is_inside(const QuadricBounds& bounds, const Eigen::Vector3d& point);
 
-/// A curve on a surface over [0, 1].
-struct BoundaryConic {
-  std::function<Eigen::Vector3d(double)> point;
-  bool is_closed;
+/// A quadric as its regions see it.
+struct TracedQuadric {
+  QuadricEquation equation;
+  Box extent;                          ///< of the whole surface
+  Box reach;                           ///< a bounded box that holds the region
+  std::vector<Eigen::Vector3d> stops;  ///< arcs end at these points
+
+  double size() const;
 };
 
-/// How a quadric meets planes: x_axis = value in a conic, if it does, and the half-plane at an
-/// angle about the z-axis in half a conic that starts on the axis.
-struct QuadricSections {
-  std::function<std::optional<BoundaryConic>(std::size_t axis, double value)> plane;
-  std::function<BoundaryConic(double angle)> half_plane;
-};
+/// The bounds that cut the surface; the others hold everywhere and are left out. Throws
+/// GeometryError for one that leaves nothing.
+QuadricBounds effective_bounds(const QuadricBounds& bounds, const TracedQuadric& quadric);
+
+/// Whether they leave the whole surface.
+bool are_none(const QuadricBounds& bounds);
 
 using BoundaryLoop = std::vector<std::function<Eigen::Vector3d(double)>>;
 
-/// The loops around the region inside the bounds; none where the bounds do not cut the surface.
-/// `size` is that of the region [mm], for what counts as one point; arcs end at the `stops` that
-/// they pass through.
-std::vector<BoundaryLoop> boundary_loops(const QuadricBounds& bounds,
-                                         const QuadricSections& sections, double size,
-                                         const std::vector<Eigen::Vector3d>& stops);
+/// The loops around the region inside effective bounds. Throws GeometryError when it touches itself
+/// in a point.
+std::vector<BoundaryLoop> boundary_loops(const QuadricBounds& bounds, const TracedQuadric& quadric);
 
 }  // namespace pn

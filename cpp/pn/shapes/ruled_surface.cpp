@@ -76,12 +76,21 @@ RationalPolynomial minkowski(const Vector4& a, const Vector4& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] - a[3] * b[3];
 }
 
-/// Positive where a sphere of a directrix touches the envelope: <g, g> <c', c'> - <g, c'>^2.
+Vector4 vector_of(const CircleFamily& g) { return {g.axis[0], g.axis[1], g.axis[2], -g.level}; }
+
+/// <g, g> <a', b'> - <g, a'> <g, b'> for two directrices, up to positive factors.
+RationalPolynomial contact_product(const SphereCurve& a, const SphereCurve& b,
+                                   const CircleFamily& direction) {
+  const TangentDirection first = tangent_direction(a), second = tangent_direction(b);
+  const Vector4 g = vector_of(direction), p = vector_of(first.circles),
+                q = vector_of(second.circles);
+  return first.content * second.content *
+         (minkowski(g, g) * minkowski(p, q) - minkowski(g, p) * minkowski(g, q));
+}
+
+/// Positive where a sphere of a directrix touches the envelope.
 RationalPolynomial contact_discriminant(const SphereCurve& directrix, const CircleFamily& g) {
-  const CircleFamily slope = tangent_direction(directrix).circles;
-  const Vector4 a = {g.axis[0], g.axis[1], g.axis[2], -g.level};
-  const Vector4 b = {slope.axis[0], slope.axis[1], slope.axis[2], -slope.level};
-  return minkowski(a, a) * minkowski(b, b) - minkowski(a, b) * minkowski(a, b);
+  return contact_product(directrix, directrix, g);
 }
 
 void require_cones(const Span& span) {
@@ -113,6 +122,26 @@ void require_simple_torsal_rulings(const Span& span) {
   }
 }
 
+/// A torsal ruling has one point without a tangent plane, its pinch point. The tangent planes at
+/// the directrices have the same normal if it is beyond them, opposite ones if it is between.
+void require_no_pinch_points(const Span& span) {
+  if (!is_line_family(span)) return;
+  const Rulings& rulings = span.joined.rulings;
+  const std::vector<RealRoot> pinched = roots_in_unit_interval_without_positive(
+      torsion(rulings),
+      contact_product(span.directrices[0].spheres, span.directrices[1].spheres, rulings.direction));
+  if (pinched.empty()) return;
+  throw GeometryError(ErrorCode::kPinched,
+                      "The surface has a pinch point on the ruling at parameter " +
+                          show(parameter(span, pinched.front().value.midpoint())) +
+                          ", without a tangent plane. Shorten the curves, or move one of them so "
+                          "that the curves run in the same direction there.");
+}
+
+SpanPlace place_of(const std::vector<Span>& spans, std::size_t i, bool closed) {
+  return {spans[i].end() - spans[i].begin(), i > 0 || closed, i + 1 < spans.size() || closed};
+}
+
 bool is_developable(const Span& span) { return torsion(span.joined.rulings).is_zero(); }
 
 GeometryError not_rational(const Span& span) {
@@ -127,17 +156,62 @@ void require_rulings(const Span& span) {
   if (is_developable(span)) return;
   require_cones(span);
   require_simple_torsal_rulings(span);
+  require_no_pinch_points(span);
+}
+
+/// The parameters of the torsal rulings that count on a span, ascending.
+std::vector<double> torsal_parameters(const Span& span, const SpanPlace& place) {
+  if (is_developable(span)) return {};
+  const auto [low, high] = torsal_range(place);
+  const RationalPolynomial in_range =
+      torsal_polynomial(span.joined.rulings).on_interval(low, high - low);
+  std::vector<double> parameters;
+  for (const RealRoot& root : roots_in_unit_interval(in_range)) {
+    const double local = low.to_double() + root.value.midpoint() * (high - low).to_double();
+    parameters.push_back(parameter(span, local));
+  }
+  std::sort(parameters.begin(), parameters.end());
+  return parameters;
 }
 
 /// Each torsal ruling raises the degree, so a span has one at most: doubles between them.
-std::vector<Rational> cuts_between_torsal_rulings(const std::vector<Span>& spans) {
+std::vector<Rational> cuts_between_torsal_rulings(const std::vector<Span>& spans, bool closed) {
   std::vector<Rational> cuts;
-  for (const Span& span : spans) {
-    if (is_developable(span)) continue;
-    const auto torsal = roots_in_unit_interval(torsal_polynomial(span.joined.rulings));
-    for (std::size_t i = 0; i + 1 < torsal.size(); ++i) {
-      const double middle = (torsal[i].value.midpoint() + torsal[i + 1].value.midpoint()) / 2;
-      cuts.push_back(Rational::exactly(parameter(span, middle)));
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const auto torsal = torsal_parameters(spans[i], place_of(spans, i, closed));
+    for (std::size_t j = 0; j + 1 < torsal.size(); ++j) {
+      const Rational cut = Rational::exactly((torsal[j] + torsal[j + 1]) / 2);
+      if (spans[i].begin() < cut && cut < spans[i].end()) cuts.push_back(cut);
+    }
+  }
+  return cuts;
+}
+
+/// What a torsal ruling beside neighbours costs of the degree, and what lines cost that turn.
+constexpr int kDegreeOfTorsalRuling = 4, kDegreeOfLines = 4;
+
+/// The degree of lines in space has no room for a torsal ruling and for lines that turn.
+bool is_crowded(const Span& span) {
+  return is_line_family(span) &&
+         degree_of_lines(span.rulings) + kDegreeOfTorsalRuling + kDegreeOfLines > kLargestDegree;
+}
+
+/// The half length of a short span around a torsal ruling, as a part of the span: lines need not
+/// turn over it.
+constexpr double kShort = 1.0 / 256;
+
+/// In a crowded span a torsal ruling gets a short span of its own, so that its neighbours keep room
+/// for their lines: doubles on both sides.
+std::vector<Rational> cuts_around_torsal_rulings(const std::vector<Span>& spans, bool closed) {
+  std::vector<Rational> cuts;
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    if (!is_crowded(spans[i])) continue;
+    const double half = kShort * (parameter(spans[i], 1) - parameter(spans[i], 0));
+    for (const double torsal : torsal_parameters(spans[i], place_of(spans, i, closed))) {
+      for (const double place : {torsal - half, torsal + half}) {
+        const Rational cut = Rational::exactly(place);
+        if (spans[i].begin() < cut && cut < spans[i].end()) cuts.push_back(cut);
+      }
     }
   }
   return cuts;
@@ -297,9 +371,7 @@ EnvelopeChain chain_of(std::vector<Span> unscaled) {
   chain.closed = is_closed(spans) && closes_at_scale(spans);
   std::vector<std::optional<Envelope>> envelopes(spans.size());
   for_each_index(spans.size(), [&](std::size_t i) {
-    const SpanPlace place{spans[i].end() - spans[i].begin(), i > 0 || chain.closed,
-                          i + 1 < spans.size() || chain.closed};
-    envelopes[i] = envelope_of(spans[i], place);
+    envelopes[i] = envelope_of(spans[i], place_of(spans, i, chain.closed));
   });
   for (std::size_t i = 0; i < spans.size(); ++i) {
     Joint joint = Joint::kNone;
@@ -351,7 +423,11 @@ EnvelopeChain cone_envelope(const Curve& first_centres, const Law& first_radii,
   const std::vector<Rational> breaks = united_breaks(a, mapped(b, a));
   const std::vector<Span> spans = spans_over(breaks);
   for_each_index(spans.size(), [&](std::size_t i) { require_rulings(spans[i]); });
-  const std::vector<Rational> cuts = cuts_between_torsal_rulings(spans);
+  const bool closed = is_closed(spans);
+  std::vector<Rational> cuts = cuts_between_torsal_rulings(spans, closed);
+  const std::vector<Rational> around = cuts_around_torsal_rulings(spans, closed);
+  cuts.insert(cuts.end(), around.begin(), around.end());
+  std::sort(cuts.begin(), cuts.end());
   return chain_of(cuts.empty() ? spans : spans_over(united_breaks(breaks, cuts)));
 }
 

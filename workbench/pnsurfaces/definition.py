@@ -1,0 +1,265 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How far points lie from the surface that a feature is defined as, with NumPy, in doubles.
+
+No isotropic vector, no normal of the construction and no control point takes part: a point is
+compared with spheres, lines or an equation. Its own rounding is some units in the last place of the
+coordinates, so that a bound of 1e-14 mm on a surface of 100 mm is met, but not measured.
+
+- A canal surface at distance d is the envelope of the spheres |x - m(t)| = r(t) + d. A point of it
+  lies in the plane of a characteristic circle, (x - m).m' + (r + d) r' = 0.
+- A ruled surface at distance d is the envelope of the cylinders of radius d about its rulings: the
+  foot c of a point on its ruling has (x - c).c_t = 0.
+- A quadric at distance d has the points x with a foot p on it, q(p) = 0, x - p along grad q(p).
+
+Where a point is off the surface by a small distance e, it is on that at distance d + e, so that the
+same equation finds d + e.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from pnsurfaces.canal_surface import CanalSurface, read_bore, read_spheres
+from pnsurfaces.quadric_form import standard_equation
+from pnsurfaces.quadric_offset import KINDS, OF_FACE, QuadricOffset, half_axes, read_face
+from pnsurfaces.ruled_offset import RuledOffset, read_curves
+
+# Parameters between which a root is looked for, on each span: more than the characteristic
+# equation of a span has roots in practice. A missed root shows as a deviation, never hides one.
+_PARAMETERS_OF_SPAN = 16
+
+# Points that are compared with all parameters at once, which bounds the memory.
+_POINTS_AT_ONCE = 64
+
+# Halvings of such a step, to the last place: at distance 0 the deviation is not stationary.
+_HALVINGS = 50
+
+# A point at the very end of a span has its root there, give or take the rounding: looked for a
+# little beyond, as part of the span.
+_BEYOND_END = 1e-7
+
+# Steps of Newton's method from the base point along the normal that the exported surface has.
+_NEWTON_STEPS = 8
+
+
+def definition_of(obj):
+    """The definition of a feature: Spheres, Rulings or Quadric; None for another object."""
+    proxy = type(getattr(obj, "Proxy", None))
+    return _DEFINITIONS[proxy](obj) if proxy in _DEFINITIONS else None
+
+
+def definitions_of(obj, count):
+    """The definitions of the `count` surfaces that a feature shows, the innermost first."""
+    bore = read_bore(obj) if isinstance(obj.Proxy, CanalSurface) else None
+    if bore:
+        return [_spheres(*bore), definition_of(obj)]
+    return [definition_of(obj)] * count
+
+
+class Spheres(NamedTuple):
+    """A canal surface: the PiecewiseRational functions of its centres (3) and radius (1)."""
+
+    centre: Any
+    radius: Any
+
+    words = "envelope of the spheres along the spine: distance from the centre minus the radius"
+
+    def deviations(self, points, normals, distance):
+        """By how much each of the points (n, 3) is off the surface at a distance, in mm.
+
+        `normals` (n, 3), unit, tell where to begin to look, and are not believed.
+        """
+        return _along_family(self, points, distance)
+
+    def breaks(self):
+        return np.union1d(self.centre.breaks, self.radius.breaks)
+
+    def at(self, t, inside, points, distance):
+        """The value that is zero at a characteristic point, and the deviation there.
+
+        `inside` are parameters inside the spans that are taken.
+        """
+        centre, speed = self.centre.with_derivative(t, inside)
+        radius, growth = (part[..., 0] for part in self.radius.with_derivative(t, inside))
+        radius = radius + distance
+        rays = points - centre
+        slope = _dot(rays, speed) + radius * growth
+        return slope, np.copysign(_length(rays), radius) - radius
+
+
+class Rulings(NamedTuple):
+    """A ruled surface: the PiecewiseRational functions of its two curves, over one domain."""
+
+    first: Any
+    last: Any
+
+    words = "feet on the rulings: distance from the ruled surface along its normal"
+
+    def deviations(self, points, normals, distance):
+        return _along_family(self, points, distance)
+
+    def breaks(self):
+        return np.union1d(self.first.breaks, self.last.breaks)
+
+    def at(self, t, inside, points, distance):
+        first, first_speed = self.first.with_derivative(t, inside)
+        last, last_speed = self.last.with_derivative(t, inside)
+        ruling = last - first
+        part = (_dot(points - first, ruling) / _dot(ruling, ruling))[..., None]
+        rays = points - first - part * ruling
+        slope = _dot(rays, first_speed + part * (last_speed - first_speed))
+        return slope, np.copysign(_length(rays), distance) - distance
+
+
+class Quadric(NamedTuple):
+    """A quadric squares.x^2 + line.x + constant = 0 in its standard position."""
+
+    squares: np.ndarray
+    line: np.ndarray
+    constant: float
+
+    words = "feet on the quadric: distance from it along its normal"
+
+    def deviations(self, points, normals, distance):
+        # Beyond a singular point the normal of the parametrization is on the other side.
+        both = [self._by_newton(points, side * normals, distance) for side in (1, -1)]
+        return np.minimum(*both)
+
+    def _by_newton(self, points, normals, distance):
+        feet = points - distance * normals
+        gradient = 2 * self.squares * feet + self.line
+        factor = distance * _dot(normals, gradient) / _dot(gradient, gradient)
+        for _ in range(_NEWTON_STEPS):
+            feet, factor = self._improved(points, feet, factor)
+        return np.abs(_length(points - feet) - abs(distance))
+
+    def _improved(self, points, feet, factor):
+        """A Newton step for the system  foot + factor grad q(foot) = point,  q(foot) = 0."""
+        gradient = 2 * self.squares * feet + self.line
+        matrix = np.zeros((len(feet), 4, 4))
+        matrix[:, range(3), range(3)] = 1 + 2 * factor[:, None] * self.squares
+        matrix[:, :3, 3] = matrix[:, 3, :3] = gradient
+        value = feet**2 @ self.squares + feet @ self.line + self.constant
+        residual = np.column_stack([feet + factor[:, None] * gradient - points, value])
+        step = np.matmul(np.linalg.pinv(matrix), residual[..., None])[..., 0]
+        return feet - step[:, :3], factor - step[:, 3]
+
+
+class PiecewiseRational:
+    """A function of one parameter, from the spans that pnkernel gives."""
+
+    def __init__(self, spans, domain=None):
+        """`domain` is where the function is moved to, as pnkernel does with a second curve."""
+        self.breaks = np.array([spans[0][0], *(last for _, last, _ in spans)])
+        self._coefficients = [coefficients for _, _, coefficients in spans]
+        if domain is not None:
+            part = (self.breaks - self.breaks[0]) / (self.breaks[-1] - self.breaks[0])
+            self.breaks = domain[0] + (domain[-1] - domain[0]) * part
+
+    def with_derivative(self, t, inside):
+        """Values and derivatives (..., dimension) at parameters (...), of the spans `inside`."""
+        t, inside = np.broadcast_arrays(t, inside)
+        spans = np.searchsorted(self.breaks, inside) - 1
+        shape = t.shape + (self._coefficients[0].shape[1] - 1,)
+        value, derivative = np.empty(shape), np.empty(shape)
+        for span in np.unique(spans):
+            here = spans == span
+            value[here], derivative[here] = self._of_span(span, t[here])
+        return value, derivative
+
+    def _of_span(self, span, t):
+        width = self.breaks[span + 1] - self.breaks[span]
+        s = ((t - self.breaks[span]) / width)[:, None]
+        coefficients = self._coefficients[span]
+        homogeneous = _bernstein(coefficients, s)
+        slope = (len(coefficients) - 1) / width * _bernstein(np.diff(coefficients, axis=0), s)
+        value = homogeneous[:, :-1] / homogeneous[:, -1:]
+        return value, (slope[:, :-1] - slope[:, -1:] * value) / homogeneous[:, -1:]
+
+
+def _along_family(family, points, distance):
+    """The least deviation at a root of the family's equation."""
+    starts = range(0, len(points), _POINTS_AT_ONCE)
+    blocks = [points[start : start + _POINTS_AT_ONCE] for start in starts]
+    return np.concatenate([_of_block(family, block, distance) for block in blocks])
+
+
+def _of_block(family, points, distance):
+    breaks = family.breaks()
+    t, inside = _parameters(breaks)
+    slope, _ = family.at(t, inside, points[:, None, None], distance)
+    sizes = np.full(len(points), np.inf)
+    for owners, roots, spans in (
+        _roots(family, points, distance, slope, t, inside),
+        _roots_at_corners(slope, breaks, inside),
+    ):
+        _, found = family.at(roots, spans, points[owners], distance)
+        np.minimum.at(sizes, owners, np.abs(found))
+    # Nearest to a point beyond the ends is an end.
+    ends, spans = breaks[[0, -1]], inside[[0, -1], 0]
+    _, found = family.at(ends, spans, points[:, None], distance)
+    return np.where(np.isinf(sizes), np.abs(found).min(axis=1), sizes)
+
+
+def _parameters(breaks):
+    """Parameters (s, k) of each span, from before its start to beyond its end, and one inside."""
+    first, width = breaks[:-1, None], np.diff(breaks)[:, None]
+    inner = (np.arange(_PARAMETERS_OF_SPAN) + 0.5) / _PARAMETERS_OF_SPAN
+    parts = np.concatenate([[-_BEYOND_END], inner, [1 + _BEYOND_END]])
+    return first + width * parts, first + width / 2
+
+
+def _roots(family, points, distance, slope, t, inside):
+    """The zeros (i,) of the slope on all spans, with the points that they belong to."""
+    owners, spans, steps = np.nonzero(np.sign(slope[..., :-1]) != np.sign(slope[..., 1:]))
+    low, high, inside = t[spans, steps], t[spans, steps + 1], inside[spans, 0]
+    rises = slope[owners, spans, steps] < 0
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2
+        value, _ = family.at(middle, inside, points[owners], distance)
+        is_before = (value < 0) == rises
+        low, high = np.where(is_before, middle, low), np.where(is_before, high, middle)
+    return owners, (low + high) / 2, inside
+
+
+def _roots_at_corners(slope, breaks, inside):
+    """Where the slope changes its sign from one span to the next, the corner itself."""
+    owners, corners = np.nonzero(np.sign(slope[:, :-1, -1]) != np.sign(slope[:, 1:, 0]))
+    return owners, breaks[corners + 1], inside[corners, 0]
+
+
+def _bernstein(coefficients, s):
+    """Values (n, c) of Bernstein coefficients (k + 1, c) at s (n, 1), by de Casteljau's steps."""
+    rows = [row[None] for row in coefficients] or [np.zeros((1, coefficients.shape[1]))]
+    while len(rows) > 1:
+        rows = [(1 - s) * a + s * b for a, b in zip(rows, rows[1:])]
+    return rows[0] + 0 * s
+
+
+def _dot(a, b):
+    return np.sum(a * b, axis=-1)
+
+
+def _length(a):
+    return np.linalg.norm(a, axis=-1)
+
+
+def _spheres(spine, radius):
+    return Spheres(PiecewiseRational(spine.spans), PiecewiseRational(radius.spans_over(spine)))
+
+
+def _rulings(obj):
+    first, last = (chain.kernel_curve() for chain in read_curves(obj))
+    return Rulings(
+        PiecewiseRational(first.spans), PiecewiseRational(last.spans, first.domain)
+    )
+
+
+def _quadric(obj):
+    if obj.Kind == OF_FACE:
+        found = read_face(obj)
+        return Quadric(*standard_equation(found.kind, found.axes))
+    return Quadric(*standard_equation(KINDS[obj.Kind].name, half_axes(obj)))
+
+
+_DEFINITIONS = {CanalSurface: lambda obj: _spheres(*read_spheres(obj)), RuledOffset: _rulings, QuadricOffset: _quadric}
