@@ -2,6 +2,7 @@
 """What a person does in the main window of FreeCAD, for tests: click, type, look."""
 
 import pathlib
+import time
 
 import FreeCADGui
 
@@ -13,6 +14,10 @@ EDIT_ROLE = QtCore.Qt.EditRole
 
 # Time in which FreeCAD handles its pending events and paints, in milliseconds.
 _SETTLING_TIME = 200
+
+# Milliseconds between two looks, and seconds after which a test has hung.
+_TICK = 10
+_PATIENCE = 60
 
 
 def show():
@@ -31,6 +36,16 @@ def settle(milliseconds=_SETTLING_TIME):
     loop = QtCore.QEventLoop()
     QtCore.QTimer.singleShot(milliseconds, loop.quit)
     loop.exec_()
+
+
+def settle_until(is_done):
+    """Lets FreeCAD go on until is_done(), and then a while longer."""
+    deadline = time.monotonic() + _PATIENCE
+    while not is_done():
+        if time.monotonic() > deadline:
+            raise TimeoutError("FreeCAD's window never came to rest.")
+        settle(_TICK)
+    settle()
 
 
 def report_view_is_open():
@@ -58,9 +73,9 @@ def press(widget, key, text=""):
 
 
 def confirm(panel):
-    """Enter, which is OK."""
+    """Enter, which is OK: the panel closes when the surface is there."""
     press(panel.form[0], QtCore.Qt.Key_Return)
-    settle()
+    settle_until(lambda: not panel.is_busy())
 
 
 def cancel(panel):

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import FreeCAD
 
 from pnsurfaces.edge_chain import CONFUSION
+from pnsurfaces.feature_inputs import agree, read_inputs
 from pnsurfaces.kernel import KernelMissing
 from pnsurfaces.shape import solid_of_sections, storage_loss, surface_of_sections
 
@@ -134,14 +135,46 @@ class FeatureBase:
         self._add_missing_properties(obj)
         obj.Proxy = self
 
-    def base(self, obj):
-        """The surface at distance 0 (Base), from the subclass's inputs."""
+    # What `execute` takes instead of computing it, while `finish` runs.
+    _arrived = None
+
+    def base(self, inputs):
+        """The surface at distance 0 (Base), from the subclass's inputs, in any thread."""
         raise NotImplementedError
+
+    def inputs_of(self, obj):
+        """The FeatureInputs of now. All the rest of a computation needs no document."""
+        return read_inputs(obj, [entry.name for entry in (*self.inputs, *OFFSET_INPUTS)])
+
+    def has_same_base(self, inputs, others):
+        """Whether two FeatureInputs differ at most in what is shown of one surface."""
+        return agree(inputs, others, [entry.name for entry in self.inputs])
+
+    def outcome(self, inputs, base):
+        """The shape and the values of the result properties, by name, in any thread."""
+        distances = shown_distances(inputs)
+        sections = [base.surface.offset(distance) for distance in distances]
+        lines = PARAMETER_LINES[inputs.ParameterLines]
+        faces = [section.bsplines(lines=lines) for section in sections]
+        certificates = [section.certificate_of(lines) for section in sections]
+        shape = OUTPUTS[inputs.Output](faces)
+        return shape, {**_results(base, sections, faces, certificates), **base.results}
+
+    def finish(self, obj, arrived):
+        """Recomputes the feature with the outcome that arrived() returns, or the error it raises.
+
+        Another thread has computed it from the present inputs.
+        """
+        self._arrived = arrived
+        try:
+            obj.recompute()
+        finally:
+            self._arrived = None
 
     def execute(self, obj):
         """Makes the shape and the results; on failure keeps both and says why."""
         try:
-            shape, results = self._computed(obj)
+            shape, results = self._arrived() if self._arrived else self._computed(obj)
         except Exception as error:
             obj.Status = f"Error: {error}"
             raise
@@ -160,15 +193,8 @@ class FeatureBase:
         self._restore_digits(obj)
 
     def _computed(self, obj):
-        """The shape and the values of the result properties, by name."""
-        base = self.base(obj)
-        distances = _distances(obj)
-        sections = [base.surface.offset(distance) for distance in distances]
-        lines = PARAMETER_LINES[obj.ParameterLines]
-        faces = [section.bsplines(lines=lines) for section in sections]
-        certificates = [section.certificate_of(lines) for section in sections]
-        shape = OUTPUTS[obj.Output](faces)
-        return shape, {**_results(base, sections, faces, certificates), **base.results}
+        inputs = self.inputs_of(obj)
+        return self.outcome(inputs, self.base(inputs))
 
     def _restore_digits(self, obj):
         """Replaces a shape that lost digits in the file by the exact one, and no other shape."""
@@ -234,11 +260,11 @@ def deviation_text(deviation):
     return f"{deviation:.1e} mm" if deviation else "0 mm"
 
 
-def _distances(obj):
+def shown_distances(inputs):
     """The distances of the surfaces that are shown, the smallest first."""
-    distances = SIDES[obj.Sides](obj.Distance.Value)
+    distances = SIDES[inputs.Sides](inputs.Distance.Value)
     thickness = distances[-1] - distances[0]
-    if obj.Output == SOLID and obj.Sides != ONE_SIDE and thickness <= CONFUSION:
+    if inputs.Output == SOLID and inputs.Sides != ONE_SIDE and thickness <= CONFUSION:
         raise ValueError(f"The wall would be {thickness:.2g} mm thick. Give it a distance.")
     return distances
 

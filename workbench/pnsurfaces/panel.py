@@ -1,23 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel that all exact surfaces share: offset, live result, one undo step."""
 
-import contextlib
 import math
 
 import FreeCAD
 import FreeCADGui
 
 from pnsurfaces import resources
-from pnsurfaces.compat import QtCore, QtGui, QtWidgets, connect
+from pnsurfaces.compat import QtGui, QtWidgets, connect
+from pnsurfaces.preview import Preview
 
 translate = FreeCAD.Qt.translate
-
-# The pause in typing after which the surface follows, in milliseconds: longer than between two
-# keystrokes, shorter than what is felt as waiting.
-PREVIEW_DELAY = 150
-
-# FreeCAD's names of the Report view and the status bar among the observers of its console.
-_LOGS = ("ReportOutput", "StatusBar")
 
 # A sentence in the narrow panel has about so many lines, and its label grows after it has it.
 _LINES_OF_STATUS = 6
@@ -37,22 +30,6 @@ def title(link):
     return ", ".join([source.Label, *names])
 
 
-@contextlib.contextmanager
-def _silent_logs():
-    """Keeps the logs from showing a traceback at an unfinished number: the panel says all."""
-    console = FreeCAD.Console
-    spoken = [
-        (log, kind) for log in _LOGS for kind in ("Err", "Wrn") if console.GetStatus(log, kind)
-    ]
-    for log, kind in spoken:
-        console.SetStatus(log, kind, False)
-    try:
-        yield
-    finally:
-        for log, kind in spoken:
-            console.SetStatus(log, kind, True)
-
-
 class TaskPanel:
     """Edits a feature from opening to OK or Cancel: one undo step, or nothing left behind.
 
@@ -68,8 +45,9 @@ class TaskPanel:
         self._document = feature.Document
         self._was_touched = "Touched" in feature.State
         self._before = {}
-        self._timer = QtCore.QTimer(singleShot=True, interval=PREVIEW_DELAY)
-        connect(self._timer, "timeout()", self.preview)
+        self._preview = Preview(feature, self.show_result, self._settle)
+        self._is_accepted = False
+        connect(self._result.stop, "clicked()", self._stop)
         self._open_transaction()
         icon = QtGui.QIcon(feature.ViewObject.Proxy.getIcon())
         for form in self.form:
@@ -81,7 +59,7 @@ class TaskPanel:
     def assign(self, name, value):
         """Gives a property a value; the surface follows after a pause."""
         setattr(self.feature, name, value)
-        self._timer.start()
+        self._preview.request()
 
     def fill(self, spin_box, name):
         """Shows the value of a property in its box, which rounds and may not write that back."""
@@ -93,17 +71,11 @@ class TaskPanel:
         """Has the property `name` in the recorded macro when it differs at the end."""
         self._before[name] = _state(self.feature, name)
 
-    def preview(self):
-        """Computes this feature, and no other, and shows the result."""
-        self._timer.stop()
-        with _silent_logs():
-            self.feature.recompute()
-        self.show_result()
-
     def show_result(self):
         """Shows the results of the feature, greyed when they are those of an earlier shape."""
+        self._result.progress.setVisible(self._preview.is_long())
         valid = self.feature.isValid()
-        status = self.feature.Status if valid else f"Error: {self.feature.getStatusString()}"
+        status = self._status()
         kind, _, _ = status.partition(":")
         self._result.status.setText(status)
         self._result.status.setStyleSheet(_STYLES.get(kind, ""))
@@ -118,15 +90,16 @@ class TaskPanel:
         )
 
     def accept(self):
-        """OK: keeps the surface. Without a surface the panel stays and says why."""
-        if self._timer.isActive():
-            self.preview()
-        if not self.feature.isValid():
+        """OK: keeps the surface, once it is there. Without a surface the panel stays and says why."""
+        if self._preview.is_pending():
+            self._preview.start()
+            self._wait_for_surface(True)
             return False
-        self._record_macro()
-        FreeCAD.closeActiveTransaction()
-        FreeCADGui.getDocument(self._document.Name).resetEdit()
-        return True
+        return self._keep()
+
+    def is_busy(self):
+        """Whether the surface still has to follow the inputs."""
+        return self._preview.is_pending()
 
     def reject(self):
         """Cancel: restores what was there when the panel opened."""
@@ -139,11 +112,41 @@ class TaskPanel:
 
     def close(self):
         """Ends the live preview. The view provider calls it whatever closes the panel."""
-        self._timer.stop()
+        self._preview.close()
         for form in self.form:
             # A number box that loses the focus reports its value once more.
             for widget in form.findChildren(QtWidgets.QWidget):
                 widget.blockSignals(True)
+
+    def _settle(self):
+        """Closes the panel if OK has waited for the surface."""
+        if self._is_accepted:
+            self._wait_for_surface(False)
+            self._keep()
+
+    def _stop(self):
+        self._preview.stop()
+        self._wait_for_surface(False)
+
+    def _wait_for_surface(self, is_accepted):
+        self._is_accepted = is_accepted
+        for form in self.form[:-1]:
+            form.setEnabled(not is_accepted)
+
+    def _keep(self):
+        if not self.feature.isValid():
+            return False
+        self._record_macro()
+        FreeCAD.closeActiveTransaction()
+        FreeCADGui.getDocument(self._document.Name).resetEdit()
+        return True
+
+    def _status(self):
+        if self._preview.is_stopped():
+            return translate("PNSurfaces", "Stopped. The surface is that of earlier values.")
+        if self.feature.isValid():
+            return self.feature.Status
+        return f"Error: {self.feature.getStatusString()}"
 
     def _open_transaction(self):
         # The command that creates a surface has opened its own.

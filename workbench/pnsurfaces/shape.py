@@ -82,5 +82,6 @@ def _together(shapes):
 
 def _shape(brep):
     shape = Part.Shape()
-    shape.importBrepFromString(brep)
+    # No progress bar: that is a matter of the thread of the window.
+    shape.importBrepFromString(brep, False)
     return shape

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A feature that follows its inputs while they are edited, without holding up the window.
+
+Reading the inputs and assigning the shape are done in FreeCAD's thread, which alone may touch
+documents; what lies between is done in another one, and only the latest of it counts.
+"""
+
+import contextlib
+import functools
+from typing import Any, NamedTuple
+
+import FreeCAD
+
+from pnsurfaces.compat import QtCore, connect
+from pnsurfaces.kernel import KernelMissing
+from pnsurfaces.latest_computation import LatestComputation
+
+# The pause in typing after which the surface follows, in milliseconds: more than between two events
+# of one movement, less than what is felt as waiting.
+DELAY = 40
+
+# How often it is looked for results, in milliseconds: less than a frame of the screen.
+_POLLING = 8
+
+# A computation of more milliseconds shows that it runs, and how to stop it.
+LONG = 500
+
+# FreeCAD's names of the Report view and the status bar among the observers of its console.
+_LOGS = ("ReportOutput", "StatusBar")
+
+
+class Made(NamedTuple):
+    """A surface at distance 0 (feature.Base) and the FeatureInputs that it was made from."""
+
+    inputs: Any
+    base: Any
+
+
+class Outcome(NamedTuple):
+    """What FeatureBase.outcome has computed."""
+
+    shape: Any
+    results: dict
+
+
+class Preview:
+    """Recomputes one feature, and no other, whenever `request` says that its inputs changed.
+
+    It calls changed() when there is something new to show, and settled() when the shape is that of
+    the inputs, or there is none.
+    """
+
+    def __init__(self, feature, changed, settled):
+        self._feature = feature
+        self._changed = changed
+        self._settled = settled
+        self._computation = LatestComputation()
+        self._made = None
+        self._is_stopped = False
+        self._pause = _timer(DELAY, True, self.start)
+        self._polling = _timer(_POLLING, False, self._fetch)
+        self._patience = _timer(LONG, True, changed)
+
+    def request(self):
+        """The surface follows after a pause; what was being computed is out of date."""
+        self._computation.stop()
+        self._pause.start()
+
+    def start(self):
+        """The surface follows now."""
+        self._pause.stop()
+        self._is_stopped = False
+        proxy = self._feature.Proxy
+        inputs = proxy.inputs_of(self._feature)
+        made = self._made
+        if made and not proxy.has_same_base(inputs, made.inputs):
+            made = None
+        try:
+            self._computation.start(functools.partial(_stages, proxy, inputs, made))
+        except KernelMissing as error:
+            self._finish(functools.partial(_raise, error))
+            self._settled()
+            return
+        self._polling.start()
+        if not self._patience.isActive():
+            self._patience.start()
+
+    def is_pending(self):
+        """Whether the shape is not yet, or will not be, that of the inputs."""
+        return self._pause.isActive() or self._computation.is_running() or self._is_stopped
+
+    def is_long(self):
+        """Whether something is computed, and has been for so long that it should be said."""
+        return self._computation.is_running() and not self._patience.isActive()
+
+    def is_stopped(self):
+        """Whether the user has stopped the last computation."""
+        return self._is_stopped
+
+    def stop(self):
+        """Leaves the shape as it is until the next request."""
+        self._is_stopped = True
+        self._rest()
+        self._changed()
+
+    def close(self):
+        """Ends it for good, without waiting."""
+        self._rest()
+        self._computation.close()
+        # In a circle of references the widgets would outlive their other half in C++, to be
+        # mistaken for later widgets at the same address.
+        self._changed = self._settled = _nothing
+
+    def _rest(self):
+        for timer in (self._pause, self._polling, self._patience):
+            timer.stop()
+        self._computation.stop()
+
+    def _fetch(self):
+        is_running = self._computation.is_running()
+        for arrived in self._computation.take():
+            self._take(arrived)
+        if not is_running:
+            self._rest()
+            self._changed()
+            self._settled()
+
+    def _take(self, arrived):
+        if isinstance(arrived, Made):
+            self._made = arrived
+        elif isinstance(arrived, Outcome):
+            self._finish(lambda: arrived)
+        else:
+            self._finish(functools.partial(_raise, arrived))
+
+    def _finish(self, arrived):
+        with _silent_logs():
+            self._feature.Proxy.finish(self._feature, arrived)
+        self._changed()
+
+
+def _stages(proxy, inputs, made):
+    """What arrives of a computation, in order."""
+    if made is None:
+        made = Made(inputs, proxy.base(inputs))
+        yield made
+    yield Outcome(*proxy.outcome(inputs, made.base))
+
+
+def _raise(error):
+    raise error
+
+
+def _nothing():
+    pass
+
+
+def _timer(interval, is_single, slot):
+    timer = QtCore.QTimer(singleShot=is_single, interval=interval)
+    connect(timer, "timeout()", slot)
+    return timer
+
+
+@contextlib.contextmanager
+def _silent_logs():
+    """Keeps the logs from showing a traceback at an unfinished number: the panel says all."""
+    console = FreeCAD.Console
+    spoken = [
+        (log, kind) for log in _LOGS for kind in ("Err", "Wrn") if console.GetStatus(log, kind)
+    ]
+    for log, kind in spoken:
+        console.SetStatus(log, kind, False)
+    try:
+        yield
+    finally:
+        for log, kind in spoken:
+            console.SetStatus(log, kind, True)
