@@ -8,9 +8,14 @@ import FreeCADGui
 
 from pnsurfaces import resources
 from pnsurfaces.compat import QtGui, QtWidgets, connect
+from pnsurfaces.feature import SIDES
+from pnsurfaces.limits_bar import LimitsBar
 from pnsurfaces.preview import Preview
 
 translate = FreeCAD.Qt.translate
+
+# Under the distance.
+_ROW_OF_LIMITS = 1
 
 # A sentence in the narrow panel has about so many lines, and its label grows after it has it.
 _LINES_OF_STATUS = 6
@@ -41,7 +46,10 @@ class TaskPanel:
         """`inputs` is the form with the inputs of this kind of surface."""
         self.feature = feature
         self._result = load_form("result")
-        self.form = [inputs, load_form("offset"), self._result]
+        offset = load_form("offset")
+        self.limits = LimitsBar()
+        offset.layout().insertRow(_ROW_OF_LIMITS, self.limits)
+        self.form = [inputs, offset, self._result]
         self._document = feature.Document
         self._was_touched = "Touched" in feature.State
         self._before = {}
@@ -59,6 +67,7 @@ class TaskPanel:
     def assign(self, name, value):
         """Gives a property a value; the surface follows after a pause."""
         setattr(self.feature, name, value)
+        self._show_limits()
         self._preview.request()
 
     def fill(self, spin_box, name):
@@ -85,9 +94,8 @@ class TaskPanel:
         for label in self._result.values.findChildren(QtWidgets.QLabel):
             if label.objectName() in self.feature.PropertiesList:
                 label.setText(_display(getattr(self.feature, label.objectName())))
-        self._result.regular_range.setText(
-            _range(self.feature.MinOffset.Value, self.feature.MaxOffset.Value)
-        )
+        self._result.regular_range.setText(_range(*self._limits()))
+        self._show_limits()
 
     def accept(self):
         """OK: keeps the surface, once it is there. Without a surface the panel stays and says why."""
@@ -117,6 +125,13 @@ class TaskPanel:
             # A number box that loses the focus reports its value once more.
             for widget in form.findChildren(QtWidgets.QWidget):
                 widget.blockSignals(True)
+
+    def _limits(self):
+        return self.feature.MinOffset.Value, self.feature.MaxOffset.Value
+
+    def _show_limits(self):
+        distances = SIDES[self.feature.Sides](self.feature.Distance.Value)
+        self.limits.show_distances(distances, *self._limits())
 
     def _settle(self):
         """Closes the panel if OK has waited for the surface."""

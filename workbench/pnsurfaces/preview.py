@@ -63,7 +63,7 @@ class Preview:
 
     def request(self):
         """The surface follows after a pause; what was being computed is out of date."""
-        self._computation.stop()
+        self._rest()
         self._pause.start()
 
     def start(self):
