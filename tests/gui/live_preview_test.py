@@ -2,6 +2,7 @@
 """The preview: the window stays alive while surfaces are computed, and only the latest counts."""
 
 import contextlib
+import math
 import threading
 from unittest import mock
 
@@ -68,6 +69,33 @@ class LivePreviewTest(GuiTest):
             self.type("Distance", "1.5")
             wait_for_preview()
         self.assert_radius(self.feature, 5.5)
+
+    def test_while_the_distance_changes_points_are_drawn_at_once(self):
+        self.type("Radius", "4")
+        wait_for_preview()
+        self.assertTrue(main_window.is_drawn(self.feature))
+        for distance in (0.5, 1.0, 1.5):
+            self.type("Distance", str(distance))
+            self.assertFalse(main_window.is_drawn(self.feature))
+            drawn = main_window.drawn_points(self.feature)
+            self.assertGreater(len(drawn), 100)
+            for x, y, _ in drawn:
+                self.assertAlmostEqual(math.hypot(x, y), 4 + distance, places=4)
+        main_window.screenshot("sketch")
+        wait_for_preview()
+        self.assertTrue(main_window.is_drawn(self.feature))
+        self.assertEqual(main_window.drawn_points(self.feature), [])
+
+    def test_cancel_while_points_are_drawn_shows_the_shape(self):
+        main_window.confirm(self.panel)
+        self.panel = self.reopen_panel(self.feature)
+        self.type("Radius", "4")
+        wait_for_preview()
+        self.type("Distance", "3")
+        self.assertFalse(main_window.is_drawn(self.feature))
+        main_window.cancel(self.panel)
+        self.assertTrue(main_window.is_drawn(self.feature))
+        self.assertEqual(main_window.drawn_points(self.feature), [])
 
     def test_a_changed_source_needs_a_new_surface(self):
         self.type("Distance", "1")

@@ -5,8 +5,10 @@ import pathlib
 import time
 
 import FreeCADGui
+from pivy import coin
 
 from pnsurfaces.compat import QtCore, QtGui, QtWidgets
+from pnsurfaces.surface_sketch import NODE_NAME
 
 SCREENSHOTS = pathlib.Path(__file__).resolve().parents[2] / "build" / "screenshots"
 
@@ -142,6 +144,25 @@ def recorded_commands():
     console = FreeCADGui.getMainWindow().findChild(QtWidgets.QPlainTextEdit, "Python console")
     lines = console.toPlainText().splitlines()
     return [line[4:] for line in lines if line.startswith(">>> ") and line[4:]]
+
+
+def is_drawn(feature):
+    """Whether the shape of a feature is drawn."""
+    return feature.ViewObject.SwitchNode.whichChild.getValue() >= 0
+
+
+def drawn_points(feature):
+    """The points that are drawn instead of the shape of a feature."""
+    points = []
+    for node in feature.ViewObject.RootNode.getChildren():
+        if node.getName() == NODE_NAME:
+            search = coin.SoSearchAction()
+            search.setType(coin.SoCoordinate3.getClassTypeId())
+            search.setInterest(coin.SoSearchAction.ALL)
+            search.apply(node)
+            for path in search.getPaths():
+                points += [tuple(point) for point in path.getTail().point.getValues()]
+    return points
 
 
 def screenshot(name):

@@ -159,6 +159,8 @@ class TaskPanel:
     def _status(self):
         if self._preview.is_stopped():
             return translate("PNSurfaces", "Stopped. The surface is that of earlier values.")
+        if self._preview.is_long():
+            return translate("PNSurfaces", "Computing…")
         if self.feature.isValid():
             return self.feature.Status
         return f"Error: {self.feature.getStatusString()}"

@@ -2,7 +2,8 @@
 """A feature that follows its inputs while they are edited, without holding up the window.
 
 Reading the inputs and assigning the shape are done in FreeCAD's thread, which alone may touch
-documents; what lies between is done in another one, and only the latest of it counts.
+documents; what lies between is done in another one, and only the latest of it counts. While the
+distance changes the surface is drawn from points that are known already.
 """
 
 import contextlib
@@ -12,8 +13,11 @@ from typing import Any, NamedTuple
 import FreeCAD
 
 from pnsurfaces.compat import QtCore, connect
+from pnsurfaces.feature import SIDES
 from pnsurfaces.kernel import KernelMissing
 from pnsurfaces.latest_computation import LatestComputation
+from pnsurfaces.section_mesh import section_mesh
+from pnsurfaces.surface_sketch import SurfaceSketch
 
 # The pause in typing after which the surface follows, in milliseconds: more than between two events
 # of one movement, less than what is felt as waiting.
@@ -30,10 +34,11 @@ _LOGS = ("ReportOutput", "StatusBar")
 
 
 class Made(NamedTuple):
-    """A surface at distance 0 (feature.Base) and the FeatureInputs that it was made from."""
+    """A surface at distance 0 (feature.Base), the FeatureInputs it was made from, its SectionMesh."""
 
     inputs: Any
     base: Any
+    mesh: Any
 
 
 class Outcome(NamedTuple):
@@ -55,6 +60,7 @@ class Preview:
         self._changed = changed
         self._settled = settled
         self._computation = LatestComputation()
+        self._sketch = SurfaceSketch(feature.ViewObject)
         self._made = None
         self._is_stopped = False
         self._pause = _timer(DELAY, True, self.start)
@@ -64,19 +70,17 @@ class Preview:
     def request(self):
         """The surface follows after a pause; what was being computed is out of date."""
         self._rest()
+        self._draw(self._made_from(self._inputs()))
         self._pause.start()
 
     def start(self):
         """The surface follows now."""
         self._pause.stop()
         self._is_stopped = False
-        proxy = self._feature.Proxy
-        inputs = proxy.inputs_of(self._feature)
-        made = self._made
-        if made and not proxy.has_same_base(inputs, made.inputs):
-            made = None
+        inputs = self._inputs()
+        stages = functools.partial(_stages, self._feature.Proxy, inputs, self._made_from(inputs))
         try:
-            self._computation.start(functools.partial(_stages, proxy, inputs, made))
+            self._computation.start(stages)
         except KernelMissing as error:
             self._finish(functools.partial(_raise, error))
             self._settled()
@@ -101,15 +105,32 @@ class Preview:
         """Leaves the shape as it is until the next request."""
         self._is_stopped = True
         self._rest()
+        self._sketch.hide()
         self._changed()
 
     def close(self):
         """Ends it for good, without waiting."""
         self._rest()
         self._computation.close()
+        self._sketch.hide()
         # In a circle of references the widgets would outlive their other half in C++, to be
         # mistaken for later widgets at the same address.
         self._changed = self._settled = _nothing
+
+    def _inputs(self):
+        return self._feature.Proxy.inputs_of(self._feature)
+
+    def _made_from(self, inputs):
+        """What was made last if it was made from these inputs, else None."""
+        made = self._made
+        same = made and self._feature.Proxy.has_same_base(inputs, made.inputs)
+        return made if same else None
+
+    def _draw(self, made):
+        """Draws the surface at the present distance, if it is known."""
+        if made:
+            distances = SIDES[self._feature.Sides](self._feature.Distance.Value)
+            self._sketch.show(made.mesh, distances)
 
     def _rest(self):
         for timer in (self._pause, self._polling, self._patience):
@@ -128,6 +149,7 @@ class Preview:
     def _take(self, arrived):
         if isinstance(arrived, Made):
             self._made = arrived
+            self._draw(arrived)
         elif isinstance(arrived, Outcome):
             self._finish(lambda: arrived)
         else:
@@ -136,13 +158,15 @@ class Preview:
     def _finish(self, arrived):
         with _silent_logs():
             self._feature.Proxy.finish(self._feature, arrived)
+        self._sketch.hide()
         self._changed()
 
 
 def _stages(proxy, inputs, made):
     """What arrives of a computation, in order."""
     if made is None:
-        made = Made(inputs, proxy.base(inputs))
+        base = proxy.base(inputs)
+        made = Made(inputs, base, section_mesh(base.surface))
         yield made
     yield Outcome(*proxy.outcome(inputs, made.base))
 
