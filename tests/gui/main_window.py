@@ -8,7 +8,8 @@ import FreeCADGui
 from pivy import coin
 
 from pnsurfaces.compat import QtCore, QtGui, QtWidgets
-from pnsurfaces.surface_sketch import NODE_NAME
+from pnsurfaces.distance_handle import NODE_NAME as HANDLE
+from pnsurfaces.surface_sketch import NODE_NAME as SKETCH
 
 SCREENSHOTS = pathlib.Path(__file__).resolve().parents[2] / "build" / "screenshots"
 
@@ -153,16 +154,56 @@ def is_drawn(feature):
 
 def drawn_points(feature):
     """The points that are drawn instead of the shape of a feature."""
-    points = []
-    for node in feature.ViewObject.RootNode.getChildren():
-        if node.getName() == NODE_NAME:
-            search = coin.SoSearchAction()
-            search.setType(coin.SoCoordinate3.getClassTypeId())
-            search.setInterest(coin.SoSearchAction.ALL)
-            search.apply(node)
-            for path in search.getPaths():
-                points += [tuple(point) for point in path.getTail().point.getValues()]
-    return points
+    node = _node(feature, SKETCH)
+    found = _all_of_type(node, coin.SoCoordinate3) if node else []
+    return [tuple(point) for coordinates in found for point in coordinates.point.getValues()]
+
+
+def has_handle(feature):
+    """Whether an arrow drags the distance of a feature."""
+    return _node(feature, HANDLE) is not None
+
+
+def handle_position(feature, along=0.0):
+    """A point of the arrow, so many of its lengths from where it stands."""
+    node = _node(feature, HANDLE)
+    (frame,), (dragger,) = (_all_of_type(node, kind) for kind in
+                            (coin.SoTransform, coin.SoTranslate1Dragger))
+    point = coin.SbVec3f(dragger.translation.getValue()[0] + along, 0, 0)
+    turned = frame.rotation.getValue().multVec(point * frame.scaleFactor.getValue()[0])
+    return tuple(turned + frame.translation.getValue())
+
+
+def drag_handle(feature, along):
+    """Drags the arrow by so many of its lengths with the mouse."""
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    settle()
+    view = FreeCADGui.activeDocument().activeView()
+    # Views of closed documents may still be there.
+    widgets = FreeCADGui.getMainWindow().findChildren(QtWidgets.QGraphicsView)
+    viewport = next(widget for widget in widgets if widget.isVisible()).viewport()
+
+    # The view counts pixels of the screen, events those of a widget.
+    scale = viewport.width() / view.getSize()[0]
+
+    def pixel(lengths):
+        x, y = view.getPointOnScreen(*handle_position(feature, lengths))
+        return QtCore.QPoint(x * scale, viewport.height() - y * scale)
+
+    grip = 0.9
+    start, end = pixel(grip), pixel(grip + along)
+    left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+    for kind, place, button, buttons in (
+        (QtCore.QEvent.MouseMove, start, none, none),
+        (QtCore.QEvent.MouseButtonPress, start, left, left),
+        (QtCore.QEvent.MouseMove, (start + end) / 2, none, left),
+        (QtCore.QEvent.MouseMove, end, none, left),
+        (QtCore.QEvent.MouseButtonRelease, end, left, none),
+    ):
+        event = QtGui.QMouseEvent(
+            kind, place, viewport.mapToGlobal(place), button, buttons, QtCore.Qt.NoModifier
+        )
+        QtWidgets.QApplication.sendEvent(viewport, event)
 
 
 def screenshot(name):
@@ -179,6 +220,20 @@ def screenshot(name):
 
 def _dock(name):
     return FreeCADGui.getMainWindow().findChild(QtWidgets.QDockWidget, name)
+
+
+def _node(feature, name):
+    """The node of this name that is drawn with a feature, or None."""
+    nodes = feature.ViewObject.RootNode.getChildren()
+    return next((node for node in nodes if node.getName() == name), None)
+
+
+def _all_of_type(node, kind):
+    search = coin.SoSearchAction()
+    search.setType(kind.getClassTypeId())
+    search.setInterest(coin.SoSearchAction.ALL)
+    search.apply(node)
+    return [path.getTail() for path in search.getPaths()]
 
 
 def _with_next_dialog(act):

@@ -8,6 +8,7 @@ import FreeCADGui
 
 from pnsurfaces import resources
 from pnsurfaces.compat import QtGui, QtWidgets, connect
+from pnsurfaces.distance_handle import DistanceHandle
 from pnsurfaces.feature import SIDES
 from pnsurfaces.limits_bar import LimitsBar
 from pnsurfaces.preview import Preview
@@ -53,7 +54,9 @@ class TaskPanel:
         self._document = feature.Document
         self._was_touched = "Touched" in feature.State
         self._before = {}
-        self._preview = Preview(feature, self.show_result, self._settle)
+        self._distance = offset.Distance
+        self._handle = DistanceHandle(feature.ViewObject, self._drag)
+        self._preview = Preview(feature, self.show_result, self._place_handle, self._settle)
         self._is_accepted = False
         connect(self._result.stop, "clicked()", self._stop)
         self._open_transaction()
@@ -63,11 +66,12 @@ class TaskPanel:
         for form in self.form[:-1]:
             self._bind(form)
         self.show_result()
+        self._preview.prepare()
 
     def assign(self, name, value):
         """Gives a property a value; the surface follows after a pause."""
         setattr(self.feature, name, value)
-        self._show_limits()
+        self._show_distance()
         self._preview.request()
 
     def fill(self, spin_box, name):
@@ -95,7 +99,7 @@ class TaskPanel:
             if label.objectName() in self.feature.PropertiesList:
                 label.setText(_display(getattr(self.feature, label.objectName())))
         self._result.regular_range.setText(_range(*self._limits()))
-        self._show_limits()
+        self._show_distance()
 
     def accept(self):
         """OK: keeps the surface, once it is there. Without a surface the panel stays and says why."""
@@ -121,6 +125,7 @@ class TaskPanel:
     def close(self):
         """Ends the live preview. The view provider calls it whatever closes the panel."""
         self._preview.close()
+        self._handle.close()
         for form in self.form:
             # A number box that loses the focus reports its value once more.
             for widget in form.findChildren(QtWidgets.QWidget):
@@ -129,9 +134,22 @@ class TaskPanel:
     def _limits(self):
         return self.feature.MinOffset.Value, self.feature.MaxOffset.Value
 
-    def _show_limits(self):
-        distances = SIDES[self.feature.Sides](self.feature.Distance.Value)
-        self.limits.show_distances(distances, *self._limits())
+    def _show_distance(self):
+        distance = self.feature.Distance.Value
+        self.limits.show_distances(SIDES[self.feature.Sides](distance), *self._limits())
+        self._handle.follow(distance)
+        if "Distance" in dict(self.feature.ExpressionEngine):
+            self._handle.hide()
+        else:
+            self._handle.show()
+
+    def _place_handle(self, mesh):
+        self._handle.place(mesh, _up(self.feature))
+        self._show_distance()
+
+    def _drag(self, distance):
+        self.assign("Distance", distance)
+        self.fill(self._distance, "Distance")
 
     def _settle(self):
         """Closes the panel if OK has waited for the surface."""
@@ -226,6 +244,14 @@ def _scroll_to(widget):
     for area in FreeCADGui.getMainWindow().findChildren(QtWidgets.QScrollArea):
         if area.isAncestorOf(widget):
             area.ensureWidgetVisible(widget, 0, _LINES_OF_STATUS * widget.fontMetrics().height())
+
+
+def _up(feature):
+    """The direction upwards on the screen, in the coordinates of a feature."""
+    view = FreeCADGui.getDocument(feature.Document.Name).mdiViewsOfType("Gui::View3DInventor")
+    camera = view[0].getCameraOrientation() if view else FreeCAD.Rotation()
+    placement = feature.getGlobalPlacement()
+    return placement.Rotation.inverted().multVec(camera.multVec(FreeCAD.Vector(0, 1, 0)))
 
 
 def _state(feature, name):

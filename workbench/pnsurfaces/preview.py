@@ -23,6 +23,10 @@ from pnsurfaces.surface_sketch import SurfaceSketch
 # of one movement, less than what is felt as waiting.
 DELAY = 40
 
+# The same where the surface is drawn already: FreeCAD holds up its window for a tenth of a second
+# and more to draw a shape, so this waits until the hand rests.
+REST = 250
+
 # How often it is looked for results, in milliseconds: less than a frame of the screen.
 _POLLING = 8
 
@@ -51,14 +55,16 @@ class Outcome(NamedTuple):
 class Preview:
     """Recomputes one feature, and no other, whenever `request` says that its inputs changed.
 
-    It calls changed() when there is something new to show, and settled() when the shape is that of
-    the inputs, or there is none.
+    It calls changed() when there is something new to show, made(mesh) with the SectionMesh of another
+    surface, and settled() when the shape is that of the inputs, or there is none.
     """
 
-    def __init__(self, feature, changed, settled):
+    def __init__(self, feature, changed, made, settled):
         self._feature = feature
         self._changed = changed
+        self._has_made = made
         self._settled = settled
+        self._is_preparing = False
         self._computation = LatestComputation()
         self._sketch = SurfaceSketch(feature.ViewObject)
         self._made = None
@@ -67,11 +73,21 @@ class Preview:
         self._polling = _timer(_POLLING, False, self._fetch)
         self._patience = _timer(LONG, True, changed)
 
+    def prepare(self):
+        """Finds out what can be drawn, and changes nothing."""
+        try:
+            self._computation.start(functools.partial(_make, self._feature.Proxy, self._inputs()))
+        except KernelMissing:
+            return  # The first change of an input says so.
+        self._is_preparing = True
+        self._polling.start()
+
     def request(self):
         """The surface follows after a pause; what was being computed is out of date."""
         self._rest()
-        self._draw(self._made_from(self._inputs()))
-        self._pause.start()
+        made = self._made_from(self._inputs())
+        self._draw(made)
+        self._pause.start(REST if made else DELAY)
 
     def start(self):
         """The surface follows now."""
@@ -91,11 +107,13 @@ class Preview:
 
     def is_pending(self):
         """Whether the shape is not yet, or will not be, that of the inputs."""
-        return self._pause.isActive() or self._computation.is_running() or self._is_stopped
+        is_computing = self._computation.is_running() and not self._is_preparing
+        return self._pause.isActive() or is_computing or self._is_stopped
 
     def is_long(self):
         """Whether something is computed, and has been for so long that it should be said."""
-        return self._computation.is_running() and not self._patience.isActive()
+        is_computing = self._computation.is_running() and not self._is_preparing
+        return is_computing and not self._patience.isActive()
 
     def is_stopped(self):
         """Whether the user has stopped the last computation."""
@@ -115,7 +133,7 @@ class Preview:
         self._sketch.hide()
         # In a circle of references the widgets would outlive their other half in C++, to be
         # mistaken for later widgets at the same address.
-        self._changed = self._settled = _nothing
+        self._changed = self._has_made = self._settled = _nothing
 
     def _inputs(self):
         return self._feature.Proxy.inputs_of(self._feature)
@@ -136,23 +154,29 @@ class Preview:
         for timer in (self._pause, self._polling, self._patience):
             timer.stop()
         self._computation.stop()
+        self._is_preparing = False
 
     def _fetch(self):
         is_running = self._computation.is_running()
         for arrived in self._computation.take():
             self._take(arrived)
-        if not is_running:
-            self._rest()
+        if is_running:
+            return
+        has_settled = not self._is_preparing
+        self._rest()
+        if has_settled:
             self._changed()
             self._settled()
 
     def _take(self, arrived):
         if isinstance(arrived, Made):
             self._made = arrived
-            self._draw(arrived)
+            self._has_made(arrived.mesh)
+            if not self._is_preparing:
+                self._draw(arrived)
         elif isinstance(arrived, Outcome):
             self._finish(lambda: arrived)
-        else:
+        elif not self._is_preparing:
             self._finish(functools.partial(_raise, arrived))
 
     def _finish(self, arrived):
@@ -165,17 +189,21 @@ class Preview:
 def _stages(proxy, inputs, made):
     """What arrives of a computation, in order."""
     if made is None:
-        base = proxy.base(inputs)
-        made = Made(inputs, base, section_mesh(base.surface))
-        yield made
+        for made in _make(proxy, inputs):
+            yield made
     yield Outcome(*proxy.outcome(inputs, made.base))
+
+
+def _make(proxy, inputs):
+    base = proxy.base(inputs)
+    yield Made(inputs, base, section_mesh(base.surface))
 
 
 def _raise(error):
     raise error
 
 
-def _nothing():
+def _nothing(*_):
     pass
 
 

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""An arrow in the 3D view that drags the distance of an offset along a normal of the surface."""
+
+import math
+
+import numpy as np
+from pivy import coin
+
+# How the handle is found among the nodes of its object.
+NODE_NAME = "PNSurfacesHandle"
+
+# The length of the arrow, as part of the size of the surface.
+_LENGTH = 1 / 8
+
+# Dragging stops at round distances: as far apart as the size of the surface over so many steps, at
+# least, with one digit that is 1.
+_STEPS = 1000
+
+
+class DistanceHandle:
+    """Calls dragged(distance) while the user drags its arrow."""
+
+    def __init__(self, view_object, dragged):
+        self._root = view_object.RootNode
+        self._dragged = dragged
+        self._node = coin.SoSeparator()
+        self._node.setName(NODE_NAME)
+        self._frame = coin.SoTransform()
+        self._dragger = coin.SoTranslate1Dragger()
+        self._node.addChild(self._frame)
+        self._node.addChild(self._dragger)
+        self._sensor = coin.SoFieldSensor(_moved, self)
+        # At once, not when the view is idle.
+        self._sensor.setPriority(0)
+        self._sensor.attach(self._dragger.translation)
+        self._distance = 0.0
+        self._step = 1.0
+        self._is_placed = False
+        self._is_shown = False
+
+    def place(self, mesh, up):
+        """Stands on the point of a SectionMesh that is furthest in the direction `up`.
+
+        With the direction upwards on the screen, the arrow points there, so it is dragged well.
+        """
+        index = np.argmax(mesh.points @ np.asarray(up))
+        size = float(np.ptp(mesh.points, axis=0).max())
+        normal = coin.SbVec3f(*map(float, mesh.normals[index]))
+        length = _LENGTH * size
+        self._frame.translation = tuple(map(float, mesh.points[index]))
+        self._frame.rotation = coin.SbRotation(coin.SbVec3f(1, 0, 0), normal)
+        self._frame.scaleFactor = (length, length, length)
+        self._step = 10 ** math.floor(math.log10(size / _STEPS))
+        self._is_placed = True
+        self.follow(self._distance)
+
+    def follow(self, distance):
+        """Stands on the section at a distance."""
+        self._distance = distance
+        self._sensor.detach()
+        self._dragger.translation = (distance / self._length(), 0, 0)
+        self._sensor.attach(self._dragger.translation)
+
+    def show(self):
+        """Shows it, once there is a surface to stand on."""
+        if self._is_placed and not self._is_shown:
+            self._root.addChild(self._node)
+            self._is_shown = True
+
+    def hide(self):
+        if self._is_shown:
+            self._root.removeChild(self._node)
+            self._is_shown = False
+
+    def close(self):
+        """Hides it for good."""
+        self.hide()
+        self._sensor.detach()
+        self._dragged = None
+
+    def _length(self):
+        return self._frame.scaleFactor.getValue()[0]
+
+    def moved(self):
+        """What follows when the arrow has been moved."""
+        along = self._dragger.translation.getValue()[0] * self._length()
+        distance = float(f"{round(along / self._step) * self._step:.12g}")
+        if distance != self._distance:
+            self._distance = distance
+            self._dragged(distance)
+
+
+def _moved(handle, _):
+    handle.moved()
