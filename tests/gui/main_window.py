@@ -41,14 +41,14 @@ def settle(milliseconds=_SETTLING_TIME):
     loop.exec_()
 
 
-def settle_until(is_done):
-    """Lets FreeCAD go on until is_done(), and then a while longer."""
+def settle_until(is_done, afterwards=_SETTLING_TIME):
+    """Lets FreeCAD go on until is_done(), and then some milliseconds longer."""
     deadline = time.monotonic() + _PATIENCE
     while not is_done():
         if time.monotonic() > deadline:
             raise TimeoutError("FreeCAD's window never came to rest.")
         settle(_TICK)
-    settle()
+    settle(afterwards)
 
 
 def report_view_is_open():

@@ -2,6 +2,7 @@
 """An arrow in the 3D view that drags the distance of an offset along a normal of the surface."""
 
 import math
+import weakref
 
 import numpy as np
 from pivy import coin
@@ -12,8 +13,7 @@ NODE_NAME = "PNSurfacesHandle"
 # The length of the arrow, as part of the size of the surface.
 _LENGTH = 1 / 8
 
-# Dragging stops at round distances: as far apart as the size of the surface over so many steps, at
-# least, with one digit that is 1.
+# Dragging stops at round distances: powers of ten apart, at least so many over the surface's size.
 _STEPS = 1000
 
 
@@ -29,7 +29,8 @@ class DistanceHandle:
         self._dragger = coin.SoTranslate1Dragger()
         self._node.addChild(self._frame)
         self._node.addChild(self._dragger)
-        self._sensor = coin.SoFieldSensor(_moved, self)
+        # Coin never lets go of what it is given to hand back.
+        self._sensor = coin.SoFieldSensor(_moved, weakref.ref(self))
         # At once, not when the view is idle.
         self._sensor.setPriority(0)
         self._sensor.attach(self._dragger.translation)
@@ -90,5 +91,7 @@ class DistanceHandle:
             self._dragged(distance)
 
 
-def _moved(handle, _):
-    handle.moved()
+def _moved(reference, _):
+    handle = reference()
+    if handle:
+        handle.moved()
