@@ -66,9 +66,9 @@ class PreviewBench(GuiTest):
         pause_of_drawing = pauses.longest()
         pauses = Pauses()
         wait_for_preview()
-        print(f"  {_EDGES} edges: drawn after {drawn - start:.2f} s, shape after"
-              f" {time.perf_counter() - start:.2f} s; longest pause of the window"
-              f" {pause_of_drawing:.0f} ms while drawing, {pauses.longest():.0f} ms with the shape")
+        _report(f"{_EDGES} edges: drawn after {drawn - start:.2f} s, shape after"
+                f" {time.perf_counter() - start:.2f} s; longest pause of the window"
+                f" {pause_of_drawing:.0f} ms while drawing, {pauses.longest():.0f} ms with the shape")
 
     def test_memory(self):
         _, panel = self.open_panel(self.spline, "Edge1")
@@ -78,7 +78,7 @@ class PreviewBench(GuiTest):
             if i % 50 == 0:
                 QtWidgets.QApplication.processEvents()
             if i % (_PREVIEWS // 5) == 0:
-                print(f"  memory after {i} previews: {_memory():.1f} MB")
+                _report(f"memory after {i} previews: {_memory():.1f} MB")
         wait_for_preview()
 
     def test_memory_with_shapes(self):
@@ -87,7 +87,7 @@ class PreviewBench(GuiTest):
             panel.assign("Radius", 2 + i % 50 / 50)
             main_window.settle_until(lambda: not panel.is_busy(), 0)
             if i % (_PREVIEWS_WITH_SHAPES // 4) == 0:
-                print(f"  memory after {i} previews with their shapes: {_memory():.1f} MB")
+                _report(f"memory after {i} previews with their shapes: {_memory():.1f} MB")
 
     def _drag(self, title, opened):
         feature, panel = opened
@@ -104,12 +104,17 @@ class PreviewBench(GuiTest):
             QtWidgets.QApplication.processEvents()
         seconds = time.perf_counter() - start
         computed = time.thread_time() - computed
-        print(f"  {title}: {_FRAMES / seconds:.0f} previews a second, longest pause"
-              f" {pauses.longest():.0f} ms, {assigning / _FRAMES * 1e3:.2f} ms of a processor without"
-              f" and {computed / _FRAMES * 1e3:.2f} ms with painting; ", end="")
+        rate, pause = _FRAMES / seconds, pauses.longest()
         pauses = Pauses()
         wait_for_preview()
-        print(f"{pauses.longest():.0f} ms when the shape follows")
+        _report(f"{title}: {rate:.0f} previews a second, {assigning / _FRAMES * 1e3:.2f} ms of a"
+                f" processor without and {computed / _FRAMES * 1e3:.2f} ms with painting; longest"
+                f" pause {pause:.0f} ms, {pauses.longest():.0f} ms when the shape follows")
+
+
+def _report(text):
+    # The test runner has begun a line.
+    print(f"\n  {text}", flush=True)
 
 
 def _memory():

@@ -26,14 +26,17 @@ class DistanceHandle:
         self._node = coin.SoSeparator()
         self._node.setName(NODE_NAME)
         self._frame = coin.SoTransform()
-        self._dragger = coin.SoTranslate1Dragger()
+        dragger = coin.SoTranslate1Dragger()
+        # In lengths of the arrow. Each reading of a field from its node would cost a little memory.
+        self._translation = dragger.translation
+        self._length = 1.0
         self._node.addChild(self._frame)
-        self._node.addChild(self._dragger)
+        self._node.addChild(dragger)
         # Coin never lets go of what it is given to hand back.
         self._sensor = coin.SoFieldSensor(_moved, weakref.ref(self))
         # At once, not when the view is idle.
         self._sensor.setPriority(0)
-        self._sensor.attach(self._dragger.translation)
+        self._sensor.attach(self._translation)
         self._distance = 0.0
         self._step = 1.0
         self._is_placed = False
@@ -47,10 +50,10 @@ class DistanceHandle:
         index = np.argmax(mesh.points @ np.asarray(up))
         size = float(np.ptp(mesh.points, axis=0).max())
         normal = coin.SbVec3f(*map(float, mesh.normals[index]))
-        length = _LENGTH * size
+        self._length = _LENGTH * size
         self._frame.translation = tuple(map(float, mesh.points[index]))
         self._frame.rotation = coin.SbRotation(coin.SbVec3f(1, 0, 0), normal)
-        self._frame.scaleFactor = (length, length, length)
+        self._frame.scaleFactor = (self._length,) * 3
         self._step = 10 ** math.floor(math.log10(size / _STEPS))
         self._is_placed = True
         self.follow(self._distance)
@@ -59,8 +62,8 @@ class DistanceHandle:
         """Stands on the section at a distance."""
         self._distance = distance
         self._sensor.detach()
-        self._dragger.translation = (distance / self._length(), 0, 0)
-        self._sensor.attach(self._dragger.translation)
+        self._translation.setValue(distance / self._length, 0, 0)
+        self._sensor.attach(self._translation)
 
     def show(self):
         """Shows it, once there is a surface to stand on."""
@@ -79,12 +82,9 @@ class DistanceHandle:
         self._sensor.detach()
         self._dragged = None
 
-    def _length(self):
-        return self._frame.scaleFactor.getValue()[0]
-
     def moved(self):
         """What follows when the arrow has been moved."""
-        along = self._dragger.translation.getValue()[0] * self._length()
+        along = self._translation.getValue()[0] * self._length
         distance = float(f"{round(along / self._step) * self._step:.12g}")
         if distance != self._distance:
             self._distance = distance
