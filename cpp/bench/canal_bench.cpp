@@ -49,5 +49,19 @@ BENCHMARK(many_spans)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
+/// Whether a spring, whose turns are apart, meets itself.
+void self_intersection(benchmark::State& state) {
+  const PNSurface surface = surface_of(spring(static_cast<int>(state.range(0))));
+  benchmark::DoNotOptimize(surface.faces(Lines::kEven));
+  for (auto _ : state) benchmark::DoNotOptimize(surface.self_intersection());
+}
+BENCHMARK(self_intersection)
+    ->ArgName("spans")
+    ->Arg(1)
+    ->Arg(30)
+    ->Arg(300)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
 }  // namespace
 }  // namespace pn::bench

@@ -67,6 +67,10 @@ Array array_of(const std::vector<double>& values) {
   return array_of(values, {static_cast<py::ssize_t>(values.size())});
 }
 
+Array array_of(const std::array<double, 3>& point) {
+  return array_of(std::vector<double>(point.begin(), point.end()));
+}
+
 py::tuple tuple_of(const std::array<int, 2>& pair) { return py::make_tuple(pair[0], pair[1]); }
 
 pn::Lines lines_of(const std::string& name) {
@@ -87,6 +91,12 @@ py::tuple evaluate(const pn::PNSurface& surface, const Array& t, const Array& u)
   }
   const auto count = static_cast<py::ssize_t>(along.size());
   return py::make_tuple(array_of(points, {count, 3}), array_of(normals, {count, 3}));
+}
+
+/// Without the interpreter's lock, since it takes time.
+pn::OffsetRange regular_range(const pn::PNSurface& surface) {
+  const py::gil_scoped_release release;
+  return surface.regular_range();
 }
 
 pn::QuadricKind kind_of(const std::string& name) {
@@ -269,6 +279,39 @@ void define_outputs(py::module_& module) {
           "Closed loops of curves in (u, v), the region on their left, that bound the face; empty "
           "when it is the whole surface.");
 
+  using FocalPoint = pn::FocalPoint;
+  py::class_<FocalPoint>(module, "FocalPoint",
+                         "A centre of curvature of the surface at distance zero: the offsets that "
+                         "reach it are singular there.")
+      .def_property_readonly(
+          "base", [](const FocalPoint& f) { return array_of(f.base); },
+          "The point (3,) of the surface at distance zero, in mm.")
+      .def_property_readonly(
+          "point", [](const FocalPoint& f) { return array_of(f.point); },
+          "The singular point (3,), in mm.")
+      .def_readonly("distance", &FocalPoint::distance,
+                    "Of the singular offset, in mm: |distance| = |point - base|.");
+
+  using SelfIntersection = pn::SelfIntersection;
+  py::class_<SelfIntersection>(module, "SelfIntersection", "Where a surface crosses itself.")
+      .def_property_readonly(
+          "point", [](const SelfIntersection& s) { return array_of(s.point); }, "(3,), in mm.")
+      .def_property_readonly(
+          "faces",
+          [](const SelfIntersection& s) {
+            return py::make_tuple(s.places[0].face, s.places[1].face);
+          },
+          "Which two of bsplines() meet there, perhaps twice the same.")
+      .def_property_readonly(
+          "parameters",
+          [](const SelfIntersection& s) {
+            const auto& [a, b] = s.places;
+            return py::make_tuple(py::make_tuple(a.u, a.v), py::make_tuple(b.u, b.v));
+          },
+          "((u, v), (u, v)) of the point on both faces.")
+      .def_readonly("angle", &SelfIntersection::angle,
+                    "Of the tangent planes, in radians, at most a right angle.");
+
   py::class_<pn::Certificate>(module, "Certificate", "What is proved of the exported faces.")
       .def_readonly("deviation", &pn::Certificate::deviation,
                     "Proven bound on the distance of the faces to the true envelope, in mm.")
@@ -300,14 +343,19 @@ void define_surface(py::module_& module) {
       .def_property_readonly(
           "regular_range",
           [](const pn::PNSurface& surface) {
-            const pn::OffsetRange range = [&] {
-              const py::gil_scoped_release release;
-              return surface.regular_range();
-            }();
+            const pn::OffsetRange range = regular_range(surface);
             return py::make_tuple(range.lower, range.upper);
           },
           "Certified interval of distances, counted from distance zero, without a singular point; "
           "empty when the first number is not less than the second.")
+      .def_property_readonly(
+          "focal_points",
+          [](const pn::PNSurface& surface) {
+            const pn::OffsetRange range = regular_range(surface);
+            return py::make_tuple(range.at_lower, range.at_upper);
+          },
+          "The first singular points below and above the regular range, each None where it has no "
+          "end or nothing is proved. Estimates.")
       .def(
           "bsplines",
           [](const pn::PNSurface& surface, const std::string& lines) {
@@ -319,6 +367,14 @@ void define_surface(py::module_& module) {
           "The faces: \"even\" gives smooth faces with even parameter lines, \"lowest_degree\" a "
           "face "
           "for every arc.")
+      .def(
+          "self_intersection",
+          [](const pn::PNSurface& surface) {
+            const py::gil_scoped_release release;
+            return surface.self_intersection();
+          },
+          "Where this surface crosses itself at the widest angle, or None. Each one is confirmed; "
+          "parts that cross at less than 1/64 rad count as touching.")
       .def_property_readonly(
           "certificate",
           [](const pn::PNSurface& surface) {

@@ -368,3 +368,85 @@ TEST_CASE("The range of many patches is the common one, and grows with the size"
   CHECK(found.upper == 0x1p20 * unit.upper);
   CHECK(found.lower == 0x1p20 * unit.lower);
 }
+
+TEST_CASE("The focal points are on the normals of the sharpest points", "[curvature_limits]") {
+  const auto check_point = [](const std::array<double, 3>& found, double x, double y, double z) {
+    CHECK(std::hypot(found[0] - x, found[1] - y, found[2] - z) < 1e-6);
+  };
+  const OffsetRange end = curvature_limits({ellipsoid(3, 2, 1, 1, 0, 1.5, 0, 1)}, kTolerance);
+  REQUIRE(end.at_lower);
+  CHECK_FALSE(end.at_upper);
+  check_point(end.at_lower->base, 3, 0, 0);
+  check_point(end.at_lower->point, 8.0 / 3, 0, 0);
+  CHECK(end.at_lower->distance == Approx(-1.0 / 3));
+
+  const OffsetRange saddle = curvature_limits({graph(kX * kY, -1, 1, -1, 1)}, kTolerance);
+  REQUIRE((saddle.at_lower && saddle.at_upper));
+  check_point(saddle.at_lower->base, 0, 0, 0);
+  check_point(saddle.at_lower->point, 0, 0, -1);
+  check_point(saddle.at_upper->point, 0, 0, 1);
+
+  // In a region the sharpest point may be on its edge.
+  const Polynomial x = between(-3, 3, Variable::kU);
+  Patch bowl = graph((kX * kX + kY * kY) * number(0.5), -3, 3, -3, 3);
+  bowl.region = {x - number(1)};
+  const OffsetRange edge = curvature_limits({bowl}, kTolerance);
+  REQUIRE(edge.at_upper);
+  check_point(edge.at_upper->base, 1, 0, 0.5);
+  check_point(edge.at_upper->point, 0, 0, 1.5);
+}
+
+TEST_CASE("Nothing proved, no focal point; of many patches that of the sharpest",
+          "[curvature_limits]") {
+  const OffsetRange fold = curvature_limits({{{kX * kX, kY, 0L}, 1L, {}, 1}}, kTolerance);
+  CHECK_FALSE(fold.at_lower);
+  CHECK_FALSE(fold.at_upper);
+  const OffsetRange plane = curvature_limits({graph(number(3) * kX - kY, 0, 2, 0, 1)}, kTolerance);
+  CHECK_FALSE(plane.at_lower);
+  CHECK_FALSE(plane.at_upper);
+  const Patch large = ellipsoid(3, 3, 3, 1, 0, 1, 0, 1), small = ellipsoid(1, 1, 1, 1, 0, 1, 0, 1);
+  const OffsetRange both = curvature_limits({large, small, large}, kTolerance);
+  REQUIRE(both.at_lower);
+  CHECK(both.at_lower->distance == Approx(-1));
+  const auto& [px, py, pz] = both.at_lower->point;
+  CHECK(std::hypot(px, py, pz) < 1e-9);
+}
+
+TEST_CASE("The focal points of random patches are centres of curvature", "[curvature_limits]") {
+  std::mt19937 generator(6);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int round = 0; round < 10; ++round) {
+    Polynomial z;
+    for (int i = 0; i <= 3; ++i) {
+      for (int j = 0; i + j <= 3; ++j) {
+        Polynomial term = number(uniform(generator));
+        for (int k = 0; k < i; ++k) term *= kX;
+        for (int k = 0; k < j; ++k) term *= kY;
+        z += term;
+      }
+    }
+    CAPTURE(round);
+    const Patch patch = graph(z, 0, 1, 0, 1);
+    const OffsetRange found = curvature_limits({patch}, kTolerance);
+    for (const auto& focal : {found.at_lower, found.at_upper}) {
+      if (!focal) continue;
+      // The parameters of a graph over the unit square are its coordinates.
+      const OffsetRange here = focal_distances(patch, focal->base[0], focal->base[1]);
+      const double radius = focal->distance > 0 ? here.upper : here.lower;
+      CHECK(focal->distance == Approx(radius).epsilon(1e-6));
+      const auto& [x, y, height] = focal->base;
+      CHECK(height ==
+            Approx(z(Rational::exactly(x), Rational::exactly(y)).to_double()).margin(1e-12));
+      const Polynomial zx = z.derivative(Variable::kU), zy = z.derivative(Variable::kV);
+      const double p = zx(Rational::exactly(x), Rational::exactly(y)).to_double(),
+                   q = zy(Rational::exactly(x), Rational::exactly(y)).to_double();
+      const double scale = focal->distance / std::sqrt(1 + p * p + q * q);
+      CHECK(focal->point[0] == Approx(x - scale * p).margin(1e-9));
+      CHECK(focal->point[1] == Approx(y - scale * q).margin(1e-9));
+      CHECK(focal->point[2] == Approx(height + scale).margin(1e-9));
+    }
+    const OffsetRange samples = sampled({patch}, 32);
+    if (found.at_upper) CHECK(found.at_upper->distance <= samples.upper * (1 + 1e-12));
+    if (found.at_lower) CHECK(found.at_lower->distance >= samples.lower * (1 + 1e-12));
+  }
+}

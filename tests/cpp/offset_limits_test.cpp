@@ -6,7 +6,9 @@
 
 #include "circle_spine.hpp"
 #include "enclosures.hpp"
+#include "pn/geometry_error.hpp"
 #include "pn/shapes/canal_surface.hpp"
+#include "random_canals.hpp"
 
 using namespace pn;
 using namespace pn::test;
@@ -28,6 +30,16 @@ void check_range(const OffsetRange& found, double lower, double upper) {
     CHECK(found.upper <= upper);
     CHECK(found.upper >= upper - 1e-6);
   }
+}
+
+using Point = std::array<double, 3>;
+
+double distance(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+void check_point(const Point& found, const Point& expected) {
+  CHECK(distance(found, expected) < 1e-6);
 }
 
 }  // namespace
@@ -83,6 +95,68 @@ TEST_CASE("A place where the spine stands still leaves no regular offset", "[off
   const OffsetRange cusp =
       range(Curve::bezier({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}}), Law::constant(0.5));
   CHECK(cusp.lower >= cusp.upper - 1e-6);
+}
+
+TEST_CASE("The focal point of a pipe is on the spine inwards, and on its curvature axis outwards",
+          "[offset_limits]") {
+  // The vertex of the parabola (s, s^2) has its centre of curvature at (0, 1/2).
+  const OffsetRange parabola =
+      range(Curve::bezier({{-1, 1, 0}, {0, -1, 0}, {1, 1, 0}}), Law::constant(0.125));
+  REQUIRE(parabola.at_upper);
+  check_point(parabola.at_upper->base, {0, 0.125, 0});
+  check_point(parabola.at_upper->point, {0, 0.5, 0});
+  CHECK(parabola.at_upper->distance == Approx(0.375));
+
+  const OffsetRange torus = range(circle(4), Law::constant(1));
+  REQUIRE((torus.at_lower && torus.at_upper));
+  const Point &tube = torus.at_lower->point, &hole = torus.at_upper->base;
+  CHECK(std::hypot(tube[0], tube[1]) == Approx(4));
+  CHECK(std::hypot(hole[0], hole[1]) == Approx(3));
+  check_point(torus.at_upper->point, {0, 0, 0});
+}
+
+TEST_CASE("The focal point of a cone is its narrow end", "[offset_limits]") {
+  const OffsetRange found = range(Curve::bezier({{0, 0, 0}, {0, 0, 5}}), Law::bezier({4, 1}));
+  REQUIRE(found.at_lower);
+  check_point(found.at_lower->point, {0, 0, 5});
+  // r' / |m'| = -3/5: the normal has slope 3/5 along the axis.
+  CHECK(found.at_lower->base[2] == Approx(5.6));
+  CHECK(std::hypot(found.at_lower->base[0], found.at_lower->base[1]) == Approx(0.8));
+  CHECK_FALSE(found.at_upper);
+}
+
+TEST_CASE("A spine that runs back, and one without a finite end, have no focal point there",
+          "[offset_limits]") {
+  const OffsetRange cusp =
+      range(Curve::bezier({{0, 0, 0}, {4, 0, 0}, {0, 0, 0}}), Law::constant(0.5));
+  CHECK_FALSE(cusp.at_lower);
+  CHECK_FALSE(cusp.at_upper);
+  CHECK_FALSE(range(Curve::bezier({{0, 0, 0}, {1, 2, 2}}), Law::constant(0.5)).at_upper);
+}
+
+TEST_CASE("At the focal points of random surfaces the offset is singular, and nowhere before",
+          "[offset_limits]") {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const CanalInput input = RandomCanal(seed).input();
+    std::optional<EnvelopeChain> chain;
+    try {
+      chain = canal_surface(Curve::bspline(input.spine), Law::bspline(input.radius));
+    } catch (const GeometryError&) {
+      continue;  // What is refused has no limits.
+    }
+    CAPTURE(input);
+    const double tolerance = default_tolerance(*chain), size = tolerance / 1e-9;
+    const OffsetRange found = regular_range(*chain, tolerance);
+    for (const auto& focal : {found.at_lower, found.at_upper}) {
+      if (!focal) continue;
+      CHECK(distance(focal->base, focal->point) ==
+            Approx(std::abs(focal->distance)).margin(1e-9 * size));
+    }
+    if (found.at_lower) CHECK(found.at_lower->distance <= found.lower);
+    if (found.at_upper && found.lower < found.upper) {
+      CHECK(found.at_upper->distance >= found.upper);
+    }
+  }
 }
 
 TEST_CASE("The tolerance is in proportion to the surface", "[offset_limits]") {

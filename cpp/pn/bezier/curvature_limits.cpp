@@ -123,20 +123,8 @@ class PatchSampler {
 
   /// The distance of the nearest focal point towards direction n, direction = 1 or -1.
   double focal_distance(const Parameters& at, int direction) const {
-    const DoublePolynomial::Jet w = weight_(at.u, at.v);
-    std::array<double, 3> xu, xv, xuu, xuv, xvv;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const DoublePolynomial::Jet p = point_[i](at.u, at.v);
-      const double x = p.value / w.value;
-      xu[i] = (p.u - x * w.u) / w.value;
-      xv[i] = (p.v - x * w.v) / w.value;
-      xuu[i] = (p.uu - x * w.uu - 2 * xu[i] * w.u) / w.value;
-      xuv[i] = (p.uv - x * w.uv - xu[i] * w.v - xv[i] * w.u) / w.value;
-      xvv[i] = (p.vv - x * w.vv - 2 * xv[i] * w.v) / w.value;
-    }
-    const std::array<double, 3> normal = {xu[1] * xv[2] - xu[2] * xv[1],
-                                          xu[2] * xv[0] - xu[0] * xv[2],
-                                          xu[0] * xv[1] - xu[1] * xv[0]};
+    const auto [x, xu, xv, xuu, xuv, xvv] = jet(at);
+    const Point normal = cross(xu, xv);
     const double area = std::hypot(normal[0], normal[1], normal[2]);
     const double length = std::hypot(xu[0], xu[1], xu[2]);
     if (!(area > 0)) return 0;
@@ -150,6 +138,16 @@ class PatchSampler {
         (scale * dot(normal, xvv) - along * (2 * aside * q + along * p)) / (aside * aside);
     const double curvature = (p + r) / 2 + std::hypot((p - r) / 2, q);
     return curvature > 0 ? 1 / curvature : kInfinity;
+  }
+
+  /// The point at a signed distance on the normal of a place.
+  FocalPoint focal_point(const Parameters& at, double distance) const {
+    const Jet surface = jet(at);
+    const Point normal = cross(surface.u, surface.v);
+    const double area = std::hypot(normal[0], normal[1], normal[2]);
+    FocalPoint result = {surface.point, surface.point, distance};
+    for (std::size_t i = 0; i < 3; ++i) result.point[i] += distance * side_ * normal[i] / area;
+    return result;
   }
 
   /// A place of the region near `at`, if there is one.
@@ -175,8 +173,31 @@ class PatchSampler {
   }
 
  private:
-  static double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  using Point = std::array<double, 3>;
+  struct Jet {
+    Point point, u, v, uu, uv, vv;
+  };
+
+  Jet jet(const Parameters& at) const {
+    const DoublePolynomial::Jet w = weight_(at.u, at.v);
+    Jet x;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const DoublePolynomial::Jet p = point_[i](at.u, at.v);
+      x.point[i] = p.value / w.value;
+      x.u[i] = (p.u - x.point[i] * w.u) / w.value;
+      x.v[i] = (p.v - x.point[i] * w.v) / w.value;
+      x.uu[i] = (p.uu - x.point[i] * w.uu - 2 * x.u[i] * w.u) / w.value;
+      x.uv[i] = (p.uv - x.point[i] * w.uv - x.u[i] * w.v - x.v[i] * w.u) / w.value;
+      x.vv[i] = (p.vv - x.point[i] * w.vv - 2 * x.v[i] * w.v) / w.value;
+    }
+    return x;
+  }
+
+  static double dot(const Point& a, const Point& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+  static Point cross(const Point& a, const Point& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
 
   std::array<DoublePolynomial, 3> point_;
@@ -475,10 +496,7 @@ std::optional<Variable> open_question(const Tile& tile) {
   return longer_side(tile.rectangle);
 }
 
-struct Sample {
-  Parameters at;
-  double value;
-};
+using Sample = LimitSample<Parameters>;
 
 /// All that is computed once for a patch.
 struct PatchData {
@@ -502,20 +520,25 @@ bool is_immersed(const CurvaturePolynomials& p, long bits) {
 /// How far the offsets of a patch go in the direction of its normal, or against it.
 class CurvatureLimit {
  public:
+  using Place = Parameters;
+
   CurvatureLimit(const PatchData& patch, const Enclosures& enclosures, int direction, long bits)
       : patch_(&patch), enclosures_(&enclosures), direction_(direction), bits_(bits) {
     const double step = 1.0 / (kSamples - 1);
-    Sample least = {{0, 0}, kInfinity};
+    Sample least;
     for (int i = 0; i < kSamples; ++i) {
       for (int j = 0; j < kSamples; ++j) {
         const Sample sample = sample_near({i * step, j * step});
         if (sample.value < least.value) least = sample;
       }
     }
-    least_sample_ = refined(least, step / 2).value;
+    least_sample_ = refined(least, step / 2);
   }
 
-  double least_sample() const { return least_sample_; }
+  const Sample& least_sample() const { return least_sample_; }
+  FocalPoint focal_point(const Sample& sample) const {
+    return patch_->sampler.focal_point(sample.at, direction_ * sample.value);
+  }
 
   /// No curvature bends towards this side, proved: k1 + k2 <= 0 <= k1 k2.
   bool is_unlimited() const {
@@ -524,7 +547,7 @@ class CurvatureLimit {
            is_non_negative(p.gauss, p.region, bits_);
   }
 
-  Verdict verdict(double distance) const {
+  Verdict<Parameters> verdict(double distance) const {
     const Enclosures& e = *enclosures_;
     const RealBall d = RealBall(distance).at_precision(bits_), square = d * d;
     const TensorBernstein more = e.gauss * square;
@@ -532,12 +555,12 @@ class CurvatureLimit {
                           b = e.discriminant[0] +
                               (e.discriminant[1] + e.discriminant[2] * square) * square,
                           t = e.mean * RealBall(direction_);
-    double smaller = kInfinity;
+    Sample smaller;
     const auto refuted = [&](const Rectangle& tile) {
       const Sample sample = sample_near({tile.middle(Variable::kU), tile.middle(Variable::kV)});
       if (sample.value > distance) return false;
       const double length = std::max(tile.length(Variable::kU), tile.length(Variable::kV));
-      smaller = refined(sample, length / 2).value;
+      smaller = refined(sample, length / 2);
       return true;
     };
     const Tile whole = {{}, {Term(&a), Term(&b), Term(&t), Term(&rest)}, terms_of(e.region)};
@@ -547,8 +570,8 @@ class CurvatureLimit {
  private:
   Sample sample_near(const Parameters& at) const {
     const std::optional<Parameters> inside = patch_->sampler.into_region(at);
-    if (!inside) return {at, kInfinity};
-    return {*inside, patch_->sampler.focal_distance(*inside, direction_)};
+    if (!inside) return {};
+    return {patch_->sampler.focal_distance(*inside, direction_), *inside};
   }
 
   /// The least sample nearby, by a search with steps that shrink.
@@ -571,28 +594,40 @@ class CurvatureLimit {
   const Enclosures* enclosures_;
   int direction_;
   long bits_;
-  double least_sample_;
+  Sample least_sample_;
 };
 
-double least_sample(const CurvatureLimit& limit) { return limit.least_sample(); }
+Sample least_sample(const CurvatureLimit& limit) { return limit.least_sample(); }
 
-Verdict verdict(const CurvatureLimit& limit, double distance) { return limit.verdict(distance); }
+Verdict<Parameters> verdict(const CurvatureLimit& limit, double distance) {
+  return limit.verdict(distance);
+}
+
+/// The limit of the offsets in one direction.
+struct DirectedLimit {
+  double distance;
+  std::optional<FocalPoint> focal_point;
+};
 
 /// The limit of all patches in one direction.
-double limit_at_precision(const std::vector<PatchData>& patches,
-                          const std::vector<Enclosures>& enclosures, int direction,
-                          double tolerance, long bits) {
+DirectedLimit limit_at_precision(const std::vector<PatchData>& patches,
+                                 const std::vector<Enclosures>& enclosures, int direction,
+                                 double tolerance, long bits) {
   std::vector<std::optional<CurvatureLimit>> candidates(patches.size());
   for_each_index(patches.size(), [&](std::size_t i) {
     CurvatureLimit limit(patches[i], enclosures[i], direction, bits);
-    const bool far = limit.least_sample() >= kMargins.farthest * tolerance;
+    const bool far = limit.least_sample().value >= kMargins.farthest * tolerance;
     if (!far || !limit.is_unlimited()) candidates[i] = limit;
   });
   std::vector<CurvatureLimit> limits;
   for (const auto& candidate : candidates) {
     if (candidate) limits.push_back(*candidate);
   }
-  return limits.empty() ? kInfinity : proved_limit(limits, tolerance, 0, kMargins);
+  if (limits.empty()) return {kInfinity, std::nullopt};
+  const ProvedLimit<Parameters> proved = proved_limit(limits, tolerance, 0, kMargins);
+  if (!proved.critical) return {proved.distance, std::nullopt};
+  const auto& [limit, sample] = *proved.critical;
+  return {proved.distance, limits[limit].focal_point(sample)};
 }
 
 OffsetRange range_at_precision(const std::vector<PatchData>& patches, double tolerance, long bits) {
@@ -604,8 +639,9 @@ OffsetRange range_at_precision(const std::vector<PatchData>& patches, double tol
                  [&](std::size_t i) { made[i] = enclosures(patches[i].polynomials, bits); });
   std::vector<Enclosures> all;
   for (auto& one : made) all.push_back(std::move(*one));
-  return {-limit_at_precision(patches, all, -1, tolerance, bits),
-          limit_at_precision(patches, all, 1, tolerance, bits)};
+  const DirectedLimit lower = limit_at_precision(patches, all, -1, tolerance, bits),
+                      upper = limit_at_precision(patches, all, 1, tolerance, bits);
+  return {-lower.distance, upper.distance, lower.focal_point, upper.focal_point};
 }
 
 }  // namespace

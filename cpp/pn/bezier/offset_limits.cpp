@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/bezier/offset_limits.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "pn/algebra/bernstein.hpp"
@@ -14,6 +16,8 @@
 
 namespace pn {
 namespace {
+
+using Eigen::Vector3d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Differences of 1e-9 of large coefficients of degree 40 are mostly certain with so many bits.
@@ -60,21 +64,75 @@ bool is_positive(const Polynomial& b) {
   return std::all_of(b.begin(), b.end(), [](const RealBall& c) { return c.is_positive(); });
 }
 
+/// A vector that is shorter than this part of another, after most of it has cancelled, is rounding.
+constexpr double kRounding = 1e-12;
+
+Vector3d value_at(const std::array<RationalPolynomial, 3>& p, const Rational& t) {
+  return {p[0](t).to_double(), p[1](t).to_double(), p[2](t).to_double()};
+}
+
+/// The derivatives of the components.
+CircleFamily derivative(const CircleFamily& c) {
+  return {{c.axis[0].derivative(), c.axis[1].derivative(), c.axis[2].derivative()},
+          c.level.derivative()};
+}
+
+/// The unit vector perpendicular to an axis that is nearest to a direction; any one when the
+/// direction is parallel to the axis.
+Vector3d perpendicular(const Vector3d& axis, const Vector3d& direction) {
+  const Vector3d aside = direction - direction.dot(axis) / axis.squaredNorm() * axis;
+  const bool is_parallel = aside.norm() <= kRounding * direction.norm();
+  return is_parallel ? axis.unitOrthogonal() : aside.normalized();
+}
+
+/// The unit normal on the circle at t whose focal distance is least: where n.M' + R' is largest for
+/// a spine that advances.
+Vector3d critical_normal(const CurveOfSpheres& spheres, const Rational& t) {
+  const Vector3d axis = value_at(spheres.circles.axis, t);
+  const double level = spheres.circles.level(t).to_double(), square = axis.squaredNorm();
+  const double radius = std::sqrt(std::max(0.0, 1 - level * level / square));
+  const Vector3d aside = perpendicular(axis, value_at(derivative(spheres.circles).axis, t));
+  const bool backwards = spheres.content(Rational(1) / Rational(2)).sign() < 0;
+  return -level / square * axis + (backwards ? -radius : radius) * aside;
+}
+
+std::array<double, 3> coordinates(const Vector3d& p) { return {p.x(), p.y(), p.z()}; }
+
+/// The focal point at this distance on the critical normal at t.
+FocalPoint focal_point(const ChainLink& link, const Rational& t, double distance) {
+  const SphereCurve& curve = link.spheres->curve;
+  const double denominator = curve.denominator(t).to_double();
+  const Vector3d centre = value_at(curve.centre, t) / denominator;
+  const double radius = curve.radius(t).to_double() / denominator;
+  const Vector3d normal = critical_normal(*link.spheres, t);
+  return {coordinates(centre + radius * normal), coordinates(centre + (radius + distance) * normal),
+          distance};
+}
+
 /// A bound on the distances of one link: finite where `sample` is, and provable.
 class Limit {
  public:
+  using Place = double;  ///< the parameter
+
+  explicit Limit(const ChainLink& link) : link_(&link) {}
   virtual ~Limit() = default;
+  const ChainLink& link() const { return *link_; }
   /// The limit at a parameter.
   virtual double sample(double t) const = 0;
   /// Polynomials whose positivity on [0, 1] proves that `distance` is within the limit everywhere.
   virtual std::vector<Form<RealBall>> conditions(double distance) const = 0;
+
+ private:
+  const ChainLink* link_;
 };
 
 /// -d < r: the limit r of the distance inwards.
 class RadiusLimit : public Limit {
  public:
-  RadiusLimit(const SphereCurve& curve, long bits)
-      : radius_(in_balls(curve.radius, bits)), denominator_(in_balls(curve.denominator, bits)) {}
+  RadiusLimit(const ChainLink& link, long bits)
+      : Limit(link),
+        radius_(in_balls(link.spheres->curve.radius, bits)),
+        denominator_(in_balls(link.spheres->curve.denominator, bits)) {}
 
   double sample(double t) const override {
     return value_at(radius_, t) / value_at(denominator_, t);
@@ -91,28 +149,11 @@ class RadiusLimit : public Limit {
 class FocalLimit : public Limit {
  public:
   FocalLimit(const ChainLink& link, long bits)
-      : FocalLimit(link.spheres->curve, link.spheres->circles, link.spheres->content, bits) {}
-
-  /// K <= 0 on the whole link, proved: no distance outwards is too large.
-  bool is_unlimited() const { return unlimited_; }
-
-  double sample(double t) const override {
-    const double turn = value_at(turn_, t) + std::sqrt(std::max(0.0, value_at(spread_, t)));
-    if (turn <= 0) return kInfinity;
-    const double q = value_at(denominator_, t);
-    return value_at(advance_, t) / (q * q * turn) - value_at(radius_, t) / q;
-  }
-
-  std::vector<Form<RealBall>> conditions(double distance) const override {
-    const Form<RealBall> rho = sum(radius_, denominator_ * RealBall(distance)) * denominator_;
-    const Form<RealBall> a = sum(advance_, rho * turn_ * RealBall(-1));
-    return {a, sum(a * a, rho * rho * spread_ * RealBall(-1))};
-  }
-
- private:
-  FocalLimit(const SphereCurve& curve, const CircleFamily& circles, RationalPolynomial content,
-             long bits)
-      : radius_(in_balls(curve.radius, bits)), denominator_(in_balls(curve.denominator, bits)) {
+      : Limit(link),
+        radius_(in_balls(link.spheres->curve.radius, bits)),
+        denominator_(in_balls(link.spheres->curve.denominator, bits)) {
+    const CircleFamily& circles = link.spheres->circles;
+    RationalPolynomial content = link.spheres->content;
     const CircleFamily slope = derivative(circles);
     const RationalPolynomial square = dot(circles, circles), mixed = dot(circles, slope);
     const RationalPolynomial discriminant = circles.discriminant();
@@ -131,12 +172,25 @@ class FocalLimit : public Limit {
     spread_ = in_balls(spread, bits);
   }
 
+  /// K <= 0 on the whole link, proved: no distance outwards is too large.
+  bool is_unlimited() const { return unlimited_; }
+
+  double sample(double t) const override {
+    const double turn = value_at(turn_, t) + std::sqrt(std::max(0.0, value_at(spread_, t)));
+    if (turn <= 0) return kInfinity;
+    const double q = value_at(denominator_, t);
+    return value_at(advance_, t) / (q * q * turn) - value_at(radius_, t) / q;
+  }
+
+  std::vector<Form<RealBall>> conditions(double distance) const override {
+    const Form<RealBall> rho = sum(radius_, denominator_ * RealBall(distance)) * denominator_;
+    const Form<RealBall> a = sum(advance_, rho * turn_ * RealBall(-1));
+    return {a, sum(a * a, rho * rho * spread_ * RealBall(-1))};
+  }
+
+ private:
   static RationalPolynomial dot(const CircleFamily& a, const CircleFamily& b) {
     return a.axis[0] * b.axis[0] + a.axis[1] * b.axis[1] + a.axis[2] * b.axis[2];
-  }
-  static CircleFamily derivative(const CircleFamily& c) {
-    return {{c.axis[0].derivative(), c.axis[1].derivative(), c.axis[2].derivative()},
-            c.level.derivative()};
   }
   static bool is_non_negative(const RationalPolynomial& p) {
     return p.is_zero() || is_positive_on_unit_interval(p);
@@ -147,32 +201,31 @@ class FocalLimit : public Limit {
   Form<RealBall> advance_, turn_, spread_, radius_, denominator_;
 };
 
-struct Sample {
-  double t, value;
-};
+using Sample = LimitSample<double>;
 
 /// The least sample of a link, refined between its neighbours.
-double least_sample(const Limit& limit) {
-  Sample least{0, limit.sample(0)};
+Sample least_sample(const Limit& limit) {
+  Sample least{limit.sample(0), 0};
   for (int i = 1; i < kSamples; ++i) {
     const double t = static_cast<double>(i) / (kSamples - 1);
     const double value = limit.sample(t);
-    if (value < least.value) least = {t, value};
+    if (value < least.value) least = {value, t};
   }
   const double step = 1.0 / (kSamples - 1);
-  double low = std::max(0.0, least.t - step), high = std::min(1.0, least.t + step);
+  double low = std::max(0.0, least.at - step), high = std::min(1.0, least.at + step);
   constexpr int kThirds =
       60;  // down to a relative width of 1e-10, where the value no longer changes
   for (int i = 0; i < kThirds; ++i) {
     const double a = low + (high - low) / 3, b = high - (high - low) / 3;
     const double at_a = limit.sample(a), at_b = limit.sample(b);
-    least.value = std::min({least.value, at_a, at_b});
+    if (at_a < least.value) least = {at_a, a};
+    if (at_b < least.value) least = {at_b, b};
     (at_a < at_b ? high : low) = at_a < at_b ? b : a;
   }
-  return least.value;
+  return least;
 }
 
-Verdict verdict(const Limit& limit, double distance) {
+Verdict<double> verdict(const Limit& limit, double distance) {
   struct Interval {
     std::vector<Polynomial> conditions;
     double low, high;
@@ -183,15 +236,16 @@ Verdict verdict(const Limit& limit, double distance) {
   for (const Form<RealBall>& form : limit.conditions(distance)) {
     open[0].conditions.push_back(to_bernstein(form.coefficients()));
   }
-  double least = kInfinity;
+  Sample least;
   for (int count = 0; !open.empty(); ++count) {
     if (count == kMostIntervals) return {false, least};
     const Interval interval = std::move(open.back());
     open.pop_back();
     if (std::all_of(interval.conditions.begin(), interval.conditions.end(), is_positive)) continue;
     const double middle = interval.low + (interval.high - interval.low) / 2;
-    least = std::min(least, limit.sample(middle));
-    if (least <= distance || interval.halvings == kMostHalvings) return {false, least};
+    const double value = limit.sample(middle);
+    if (value < least.value) least = {value, middle};
+    if (least.value <= distance || interval.halvings == kMostHalvings) return {false, least};
     Interval left{{}, interval.low, middle, interval.halvings + 1};
     Interval right{{}, middle, interval.high, interval.halvings + 1};
     for (const Polynomial& condition : interval.conditions) {
@@ -213,17 +267,31 @@ bool turns_back(const ChainLink& link) {
   return !roots_in_unit_interval(inside).empty();
 }
 
+/// The focal point at the critical place of some limits; `direction` is -1 for those inwards.
+template <class SomeLimit>
+std::optional<FocalPoint> focal_point(const std::vector<SomeLimit>& limits,
+                                      const ProvedLimit<double>& proved, int direction) {
+  if (!proved.critical) return std::nullopt;
+  const auto& [limit, sample] = *proved.critical;
+  return focal_point(limits[limit].link(), Rational::exactly(sample.at), direction * sample.value);
+}
+
 OffsetRange range_at_precision(const EnvelopeChain& chain, double tolerance, long bits) {
   std::vector<RadiusLimit> radii;
   std::vector<FocalLimit> focal;
   for (const ChainLink& link : chain.links) {
-    radii.emplace_back(link.spheres->curve, bits);
+    radii.emplace_back(link, bits);
     if (link.stands_still()) continue;
     FocalLimit limit(link, bits);
     if (!limit.is_unlimited()) focal.push_back(std::move(limit));
   }
-  const double lower = -proved_limit(radii, tolerance, -kInfinity, kMargins);
-  return {lower, focal.empty() ? kInfinity : proved_limit(focal, tolerance, lower, kMargins)};
+  const ProvedLimit<double> inwards = proved_limit(radii, tolerance, -kInfinity, kMargins);
+  const double lower = -inwards.distance;
+  const ProvedLimit<double> outwards = focal.empty()
+                                           ? ProvedLimit<double>{kInfinity, std::nullopt}
+                                           : proved_limit(focal, tolerance, lower, kMargins);
+  return {lower, outwards.distance, focal_point(radii, inwards, -1),
+          focal_point(focal, outwards, 1)};
 }
 
 bool has_spheres(const EnvelopeChain& chain) { return chain.links.front().spheres.has_value(); }
@@ -283,7 +351,7 @@ double default_tolerance(const EnvelopeChain& chain) {
   for (const RationalPatch& patch : chain.base) size = std::max(size, extent(patch));
   if (!has_spheres(chain)) return 1e-9 * size;
   for (const ChainLink& link : chain.links) {
-    const RadiusLimit radius(link.spheres->curve, kFirstBits);
+    const RadiusLimit radius(link, kFirstBits);
     size = std::max({size, std::abs(radius.sample(0)), std::abs(radius.sample(1)), chord(link)});
   }
   return 1e-9 * size;

@@ -27,18 +27,31 @@
 // it turns back inside a span (lambda changes sign) no distance is claimed to be regular.
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "pn/isotropic/envelope_chain.hpp"
 
 namespace pn {
 
+/// Where an offset becomes singular: a point of the surface at distance zero, and the centre of
+/// curvature at this signed distance on its normal. In doubles, an estimate.
+struct FocalPoint {
+  std::array<double, 3> base, point;  ///< [mm]
+  double distance;                    ///< [mm]
+};
+
 /// Distances d [mm] strictly between these have no singular point; none when lower >= upper.
 struct OffsetRange {
   double lower, upper;  ///< each may be infinite
+  /// The first singular points beyond; none beyond an infinite end, and where nothing is proved.
+  std::optional<FocalPoint> at_lower = {}, at_upper = {};
 };
 
 /// The certified range: it lies inside the true one. Of chains along curves of spheres by the
-/// corollary, of others by the curvature of their base (curvature_limits.hpp). Its ends are within a few times `tolerance`
-/// [mm] of it, except next to a cusp of the spine; the empty range where nothing can be proved.
+/// corollary, of others by the curvature of their base (curvature_limits.hpp). Its ends are within
+/// a few times `tolerance` [mm] of it, except next to a cusp of the spine; the empty range where
+/// nothing can be proved.
 OffsetRange regular_range(const EnvelopeChain& chain, double tolerance);
 
 /// A tolerance in proportion to the surface: 1e-9 of the largest radius or chord of a link.

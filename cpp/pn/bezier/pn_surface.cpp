@@ -60,6 +60,7 @@ struct PNSurface::Shared {
 struct PNSurface::Section {
   std::vector<RoundedFace> faces;        ///< of the net, whole
   std::vector<BSplineSurface> exported;  ///< trimmed
+  std::vector<std::size_t> net_faces;    ///< of which these are parts
   double trim_deviation;
   std::shared_ptr<const SectionNet> net;
 
@@ -111,12 +112,13 @@ std::shared_ptr<const PNSurface::Section> PNSurface::section(Lines lines) const 
   if (const auto known = std::atomic_load(&slot)) return known;
   const auto rounded = at_sufficient_precision([&](long precision) {
     const auto net = shared_->net(lines, precision);
-    Section section{net->section(distance_), {}, 0, net};
+    Section section{net->section(distance_), {}, {}, 0, net};
     for (const TrimmedFace& face : *shared_->trimmed_faces(lines, net)) {
       BSplineSurface surface = section.faces[face.net_face].surface;
       section.trim_deviation = std::max(section.trim_deviation, trim_deviation(surface, face));
       surface.trims = curves_of(face);
       section.exported.push_back(std::move(surface));
+      section.net_faces.push_back(face.net_face);
     }
     return std::make_shared<const Section>(std::move(section));
   });
@@ -139,6 +141,18 @@ Certificate PNSurface::certificate(Lines lines) const {
     certificate.poles += face.poles.size();
   }
   return certificate;
+}
+
+std::optional<SelfIntersection> PNSurface::self_intersection() const {
+  const auto rounded = section(Lines::kEven);
+  const std::vector<BSplineSurface> normals = rounded->net->normals();
+  std::vector<SectionFace> faces;
+  for (std::size_t i = 0; i < rounded->exported.size(); ++i) {
+    const std::size_t net_face = rounded->net_faces[i];
+    faces.push_back(
+        {&rounded->exported[i], &normals[net_face], rounded->net->faces()[net_face].stands_still});
+  }
+  return pn::self_intersection(faces);
 }
 
 std::vector<SurfacePoint> PNSurface::evaluate(const std::vector<double>& t,

@@ -7,11 +7,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "pn/bezier/offset_limits.hpp"
 #include "pn/bezier/section_net.hpp"
+#include "pn/bezier/self_intersection.hpp"
 
 namespace pn {
 
@@ -48,6 +50,8 @@ class PNSurface {
   /// Throws GeometryError: no positive weights, degree above 25, or precision exhausted.
   std::vector<BSplineSurface> faces(Lines lines) const;
   Certificate certificate(Lines lines) const;
+  /// Where the even faces cross themselves or each other; none where they were not seen to.
+  std::optional<SelfIntersection> self_intersection() const;
   /// Points and normals of the even faces at their parameters, t along and v in [0, 4] around. Face
   /// by face t runs over the spine's parameters; in between it is the spine's own one, except where
   /// the radius changes so quickly that D has odd real roots. Zones at corners have no parameter on
