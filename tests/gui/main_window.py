@@ -9,6 +9,7 @@ from pivy import coin
 
 from pnsurfaces.compat import QtCore, QtGui, QtWidgets
 from pnsurfaces.distance_handle import NODE_NAME as HANDLE
+from pnsurfaces.singular_marks import NODE_NAME as MARKS
 from pnsurfaces.surface_sketch import NODE_NAME as SKETCH
 
 SCREENSHOTS = pathlib.Path(__file__).resolve().parents[2] / "build" / "screenshots"
@@ -154,9 +155,12 @@ def is_drawn(feature):
 
 def drawn_points(feature):
     """The points that are drawn instead of the shape of a feature."""
-    node = _node(feature, SKETCH)
-    found = _all_of_type(node, coin.SoCoordinate3) if node else []
-    return [tuple(point) for coordinates in found for point in coordinates.point.getValues()]
+    return _points_in(_node(feature, SKETCH))
+
+
+def singular_points(feature):
+    """The ends of the lines to singular points, two of each, and those points again."""
+    return _points_in(_node(feature, MARKS))
 
 
 def has_handle(feature):
@@ -226,6 +230,11 @@ def _node(feature, name):
     """The node of this name that is drawn with a feature, or None."""
     nodes = feature.ViewObject.RootNode.getChildren()
     return next((node for node in nodes if node.getName() == name), None)
+
+
+def _points_in(node):
+    found = _all_of_type(node, coin.SoCoordinate3) if node else []
+    return [tuple(point) for coordinates in found for point in coordinates.point.getValues()]
 
 
 def _all_of_type(node, kind):

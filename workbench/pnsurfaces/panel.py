@@ -12,6 +12,7 @@ from pnsurfaces.distance_handle import DistanceHandle
 from pnsurfaces.feature import SIDES
 from pnsurfaces.limits_bar import LimitsBar
 from pnsurfaces.preview import Preview
+from pnsurfaces.singular_marks import SingularMarks
 
 translate = FreeCAD.Qt.translate
 
@@ -56,7 +57,8 @@ class TaskPanel:
         self._before = {}
         self._distance = offset.Distance
         self._handle = DistanceHandle(feature.ViewObject, self._drag)
-        self._preview = Preview(feature, self.show_result, self._place_handle, self._settle)
+        self._marks = SingularMarks(feature.ViewObject)
+        self._preview = Preview(feature, self.show_result, self._show_surface, self._settle)
         self._is_accepted = False
         connect(self._result.stop, "clicked()", self._stop)
         self._open_transaction()
@@ -126,6 +128,7 @@ class TaskPanel:
         """Ends the live preview. The view provider calls it whatever closes the panel."""
         self._preview.close()
         self._handle.close()
+        self._marks.hide()
         for form in self.form:
             # A number box that loses the focus reports its value once more.
             for widget in form.findChildren(QtWidgets.QWidget):
@@ -143,8 +146,9 @@ class TaskPanel:
         else:
             self._handle.show()
 
-    def _place_handle(self, mesh):
-        self._handle.place(mesh, _up(self.feature))
+    def _show_surface(self, made):
+        self._marks.show(made.focal_points)
+        self._handle.place(made.mesh, _up(self.feature))
         self._show_distance()
 
     def _drag(self, distance):

@@ -38,11 +38,15 @@ _LOGS = ("ReportOutput", "StatusBar")
 
 
 class Made(NamedTuple):
-    """A surface at distance 0 (feature.Base), the FeatureInputs it was made from, its SectionMesh."""
+    """A surface at distance 0 (feature.Base) and the FeatureInputs that it was made from.
+
+    With its SectionMesh, and the pnkernel.FocalPoints where its offsets become singular first.
+    """
 
     inputs: Any
     base: Any
     mesh: Any
+    focal_points: list
 
 
 class Outcome(NamedTuple):
@@ -55,8 +59,8 @@ class Outcome(NamedTuple):
 class Preview:
     """Recomputes one feature, and no other, whenever `request` says that its inputs changed.
 
-    It calls changed() when there is something new to show, made(mesh) with the SectionMesh of another
-    surface, and settled() when the shape is that of the inputs, or there is none.
+    It calls changed() when there is something new to show, made(Made) when there is another surface, and
+    settled() when the shape is that of the inputs, or there is none.
     """
 
     def __init__(self, feature, changed, made, settled):
@@ -171,7 +175,7 @@ class Preview:
     def _take(self, arrived):
         if isinstance(arrived, Made):
             self._made = arrived
-            self._has_made(arrived.mesh)
+            self._has_made(arrived)
             if not self._is_preparing:
                 self._draw(arrived)
         elif isinstance(arrived, Outcome):
@@ -196,7 +200,8 @@ def _stages(proxy, inputs, made):
 
 def _make(proxy, inputs):
     base = proxy.base(inputs)
-    yield Made(inputs, base, section_mesh(base.surface))
+    focal_points = [focal for focal in base.surface.focal_points if focal]
+    yield Made(inputs, base, section_mesh(base.surface), focal_points)
 
 
 def _raise(error):
