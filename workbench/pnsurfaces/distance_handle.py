@@ -7,6 +7,8 @@ import weakref
 import numpy as np
 from pivy import coin
 
+from pnsurfaces.shown_node import ShownNode
+
 # How the handle is found among the nodes of its object.
 NODE_NAME = "PNSurfacesHandle"
 
@@ -21,17 +23,16 @@ class DistanceHandle:
     """Calls dragged(distance) while the user drags its arrow."""
 
     def __init__(self, view_object, dragged):
-        self._root = view_object.RootNode
         self._dragged = dragged
-        self._node = coin.SoSeparator()
-        self._node.setName(NODE_NAME)
+        node = coin.SoSeparator()
+        self._shown = ShownNode(view_object, node, NODE_NAME)
         self._frame = coin.SoTransform()
         dragger = coin.SoTranslate1Dragger()
         # In lengths of the arrow. Each reading of a field from its node would cost a little memory.
         self._translation = dragger.translation
         self._length = 1.0
-        self._node.addChild(self._frame)
-        self._node.addChild(dragger)
+        node.addChild(self._frame)
+        node.addChild(dragger)
         # Coin never lets go of what it is given to hand back.
         self._sensor = coin.SoFieldSensor(_moved, weakref.ref(self))
         # At once, not when the view is idle.
@@ -40,7 +41,6 @@ class DistanceHandle:
         self._distance = 0.0
         self._step = 1.0
         self._is_placed = False
-        self._is_shown = False
 
     def place(self, mesh, up):
         """Stands on the point of a SectionMesh that is furthest in the direction `up`.
@@ -67,14 +67,11 @@ class DistanceHandle:
 
     def show(self):
         """Shows it, once there is a surface to stand on."""
-        if self._is_placed and not self._is_shown:
-            self._root.addChild(self._node)
-            self._is_shown = True
+        if self._is_placed:
+            self._shown.show()
 
     def hide(self):
-        if self._is_shown:
-            self._root.removeChild(self._node)
-            self._is_shown = False
+        self._shown.hide()
 
     def close(self):
         """Hides it for good."""

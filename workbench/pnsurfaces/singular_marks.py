@@ -4,6 +4,8 @@
 import numpy as np
 from pivy import coin
 
+from pnsurfaces.shown_node import ShownNode
+
 # How the marks are found among the nodes of their object.
 NODE_NAME = "PNSurfacesSingularPoints"
 
@@ -17,25 +19,19 @@ class SingularMarks:
     """
 
     def __init__(self, view_object):
-        self._root = view_object.RootNode
         self._node = coin.SoAnnotation()
-        self._node.setName(NODE_NAME)
-        self._is_shown = False
+        self._shown = ShownNode(view_object, self._node, NODE_NAME)
 
     def show(self, focal_points):
         """Marks these points and no others."""
-        self.hide()
+        self._node.removeAllChildren()
         if focal_points:
-            self._node.removeAllChildren()
             for child in _nodes(focal_points):
                 self._node.addChild(child)
-            self._root.addChild(self._node)
-            self._is_shown = True
+        self._shown.show()
 
     def hide(self):
-        if self._is_shown:
-            self._root.removeChild(self._node)
-            self._is_shown = False
+        self._shown.hide()
 
 
 def _nodes(focal_points):
