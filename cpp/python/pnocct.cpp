@@ -107,19 +107,25 @@ TopoDS_Shape together(const std::vector<Shape>& shapes) {
 }
 
 std::string shell(const py::iterable& faces) {
-  return pn::to_brep(together(pn::make_shells(surfaces_from(faces))));
+  const auto surfaces = surfaces_from(faces);
+  const py::gil_scoped_release release;
+  return pn::to_brep(together(pn::make_shells(surfaces)));
 }
 
 std::string capped_solid(const py::iterable& faces) {
+  const auto surfaces = surfaces_from(faces);
+  const py::gil_scoped_release release;
   std::vector<TopoDS_Solid> solids;
-  for (const TopoDS_Shell& part : pn::make_shells(surfaces_from(faces))) {
+  for (const TopoDS_Shell& part : pn::make_shells(surfaces)) {
     solids.push_back(pn::make_capped_solid(part));
   }
   return pn::to_brep(together(solids));
 }
 
 std::string thick_solid(const py::iterable& inner_faces, const py::iterable& outer_faces) {
-  return pn::to_brep(pn::make_thick_solid(surfaces_from(inner_faces), surfaces_from(outer_faces)));
+  const auto inner = surfaces_from(inner_faces), outer = surfaces_from(outer_faces);
+  const py::gil_scoped_release release;
+  return pn::to_brep(pn::make_thick_solid(inner, outer));
 }
 
 std::vector<std::string> check(const std::string& brep, bool boolean) {

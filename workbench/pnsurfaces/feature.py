@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import FreeCAD
 
 from pnsurfaces.edge_chain import CONFUSION
+from pnsurfaces.feature_inputs import agree, read_inputs
 from pnsurfaces.kernel import KernelMissing
 from pnsurfaces.shape import own_shape, solid_of_sections, storage_loss, surface_of_sections
 
@@ -146,18 +147,51 @@ class FeatureBase:
         self._add_missing_properties(obj)
         obj.Proxy = self
 
-    def base(self, obj):
-        """The surface at distance 0 (Base), from the subclass's inputs."""
+    # What `execute` takes instead of computing it, while `finish` runs.
+    _arrived = None
+
+    def base(self, inputs):
+        """The surface at distance 0 (Base), from the subclass's inputs, in any thread."""
         raise NotImplementedError
 
-    def sections(self, obj, surface):
+    def sections(self, inputs, surface):
         """The sections of the surface at distance 0 that are shown, the innermost first."""
-        return [surface.offset(distance) for distance in _distances(obj)]
+        return [surface.offset(distance) for distance in shown_distances(inputs)]
+
+    def inputs_of(self, obj):
+        """The FeatureInputs of now. All the rest of a computation needs no document."""
+        return read_inputs(obj, [entry.name for entry in (*self.inputs, *OFFSET_INPUTS)])
+
+    def has_same_base(self, inputs, others):
+        """Whether two FeatureInputs differ at most in what is shown of one surface."""
+        return agree(inputs, others, [entry.name for entry in self.inputs])
+
+    def outcome(self, inputs, base):
+        """The shape and the values of the result properties, by name, in any thread."""
+        sections = self._sections(inputs, base)
+        shape = OUTPUTS[inputs.Output](sections.faces)
+        return shape, {**_results(*sections), **base.results}
+
+    def exact_sections(self, obj):
+        """The Sections of the present inputs, whatever the shape shows."""
+        inputs = self.inputs_of(obj)
+        return self._sections(inputs, self.base(inputs))
+
+    def finish(self, obj, arrived):
+        """Recomputes the feature with the outcome that arrived() returns, or the error it raises.
+
+        Another thread has computed it from the present inputs.
+        """
+        self._arrived = arrived
+        try:
+            obj.recompute()
+        finally:
+            self._arrived = None
 
     def execute(self, obj):
         """Makes the shape and the results; on failure keeps both and says why."""
         try:
-            shape, results = self._computed(obj)
+            shape, results = self._arrived() if self._arrived else self._computed(obj)
         except Exception as error:
             obj.Status = f"Error: {error}"
             raise
@@ -175,21 +209,17 @@ class FeatureBase:
             obj.DeviationBound = float(obj.Deviation.removesuffix(" mm"))
         self._restore_digits(obj)
 
-    def exact_sections(self, obj):
-        """The Sections of the present inputs, whatever the shape shows."""
-        base = self.base(obj)
-        surfaces = self.sections(obj, base.surface)
-        lines = PARAMETER_LINES[obj.ParameterLines]
+    def _sections(self, inputs, base):
+        surfaces = self.sections(inputs, base.surface)
+        lines = PARAMETER_LINES[inputs.ParameterLines]
         faces = [surface.bsplines(lines=lines) for surface in surfaces]
         return Sections(
             base, surfaces, faces, [surface.certificate_of(lines) for surface in surfaces]
         )
 
     def _computed(self, obj):
-        """The shape and the values of the result properties, by name."""
-        base, surfaces, faces, certificates = self.exact_sections(obj)
-        shape = OUTPUTS[obj.Output](faces)
-        return shape, {**_results(base, surfaces, faces, certificates), **base.results}
+        inputs = self.inputs_of(obj)
+        return self.outcome(inputs, self.base(inputs))
 
     def _restore_digits(self, obj):
         """Replaces a shape that lost digits in the file by the exact one, and no other shape."""
@@ -263,11 +293,11 @@ def deviation_text(deviation):
     return f"{deviation:.1e} mm" if deviation else "0 mm"
 
 
-def _distances(obj):
+def shown_distances(inputs):
     """The distances of the surfaces that are shown, the smallest first."""
-    distances = SIDES[obj.Sides](obj.Distance.Value)
+    distances = SIDES[inputs.Sides](inputs.Distance.Value)
     thickness = distances[-1] - distances[0]
-    if obj.Output == SOLID and obj.Sides != ONE_SIDE and thickness <= CONFUSION:
+    if inputs.Output == SOLID and inputs.Sides != ONE_SIDE and thickness <= CONFUSION:
         raise ValueError(f"The wall would be {thickness:.2g} mm thick. Give it a distance.")
     return distances
 
