@@ -108,35 +108,42 @@ TopoDS_Shape together(const std::vector<Shape>& shapes) {
 }
 
 std::string shell(const py::iterable& faces) {
-  return pn::to_brep(together(pn::make_shells(surfaces_from(faces))));
+  const auto surfaces = surfaces_from(faces);
+  const py::gil_scoped_release release;
+  return pn::to_brep(together(pn::make_shells(surfaces)));
 }
 
 std::string capped_solid(const py::iterable& faces) {
+  const auto surfaces = surfaces_from(faces);
+  const py::gil_scoped_release release;
   std::vector<TopoDS_Solid> solids;
-  for (const TopoDS_Shell& part : pn::make_shells(surfaces_from(faces))) {
+  for (const TopoDS_Shell& part : pn::make_shells(surfaces)) {
     solids.push_back(pn::make_capped_solid(part));
   }
   return pn::to_brep(together(solids));
 }
 
 std::string domed_solid(const py::iterable& faces) {
+  const auto surfaces = surfaces_from(faces);
+  const py::gil_scoped_release release;
   std::vector<TopoDS_Solid> solids;
-  for (const TopoDS_Shell& part : pn::make_shells(surfaces_from(faces))) {
+  for (const TopoDS_Shell& part : pn::make_shells(surfaces)) {
     solids.push_back(pn::make_domed_solid(part));
   }
   return pn::to_brep(together(solids));
 }
 
 std::string thick_solid(const py::iterable& inner_faces, const py::iterable& outer_faces) {
-  return pn::to_brep(
-      together(pn::make_thick_solids(surfaces_from(inner_faces), surfaces_from(outer_faces))));
+  const auto inner = surfaces_from(inner_faces), outer = surfaces_from(outer_faces);
+  const py::gil_scoped_release release;
+  return pn::to_brep(together(pn::make_thick_solids(inner, outer)));
 }
 
 std::string domed_thick_solid(const py::iterable& inner_faces, const py::iterable& outer_faces) {
-  const auto domed = [](const py::iterable& faces) {
-    return pn::make_domed_shell(pn::make_shell(surfaces_from(faces)));
-  };
-  return pn::to_brep(pn::make_thick_solid(domed(inner_faces), domed(outer_faces)));
+  const auto inner = surfaces_from(inner_faces), outer = surfaces_from(outer_faces);
+  const py::gil_scoped_release release;
+  return pn::to_brep(pn::make_thick_solid(pn::make_domed_shell(pn::make_shell(inner)),
+                                          pn::make_domed_shell(pn::make_shell(outer))));
 }
 
 std::vector<std::string> check(const std::string& brep, bool boolean) {
@@ -274,13 +281,14 @@ PYBIND11_MODULE(pnocct, m) {
       "A canal surface ends along a circle of the sphere of its last parameter; the cap is the\n"
       "part of that sphere beyond it, tangent to the surface. Faces of several parts give a\n"
       "compound of solids. Raises ValueError when no sphere touches the faces along an open end.");
-  m.def("thick_solid", &thick_solid, "inner_faces"_a, "outer_faces"_a,
-        "Return the solid between two offsets of one surface, or two pipes around one spine.\n\n"
-        "Closed shells, the first inside the second, make a solid with a void; open ones are joined\n"
-        "by ruled walls along their free edges. Faces of several parts give a compound of solids.\n"
-        "That they do not touch is not examined. Raises ValueError when only one shell is closed,\n"
-        "when the first does not lie inside the second, and when the free edges of open shells do\n"
-        "not correspond.");
+  m.def(
+      "thick_solid", &thick_solid, "inner_faces"_a, "outer_faces"_a,
+      "Return the solid between two offsets of one surface, or two pipes around one spine.\n\n"
+      "Closed shells, the first inside the second, make a solid with a void; open ones are joined\n"
+      "by ruled walls along their free edges. Faces of several parts give a compound of solids.\n"
+      "That they do not touch is not examined. Raises ValueError when only one shell is closed,\n"
+      "when the first does not lie inside the second, and when the free edges of open shells do\n"
+      "not correspond.");
   m.def(
       "domed_thick_solid", &domed_thick_solid, "inner_faces"_a, "outer_faces"_a,
       "Return the solid between two surfaces, one inside the other, with a void: the open ends of\n"
@@ -301,11 +309,13 @@ PYBIND11_MODULE(pnocct, m) {
   m.def(
       "measured_volume",
       [](const std::string& brep) { return pair_of(pn::measured_volume(pn::from_brep(brep))); },
-      "brep"_a, "Return the volume (mm^3) and an estimate of its error, as `volume`.");
+      "brep"_a, py::call_guard<py::gil_scoped_release>(),
+      "Return the volume (mm^3) and an estimate of its error, as `volume`.");
   m.def(
       "measured_area",
       [](const std::string& brep) { return pair_of(pn::measured_area(pn::from_brep(brep))); },
-      "brep"_a, "Return the area (mm^2) and an estimate of its error, as `area`.");
+      "brep"_a, py::call_guard<py::gil_scoped_release>(),
+      "Return the area (mm^2) and an estimate of its error, as `area`.");
   m.def(
       "write_step", &write_step, "path"_a, "shapes"_a, "names"_a, "schema"_a = "AP214",
       "pcurves"_a = true, "progress"_a = py::none(),

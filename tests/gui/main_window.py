@@ -2,10 +2,15 @@
 """What a person does in the main window of FreeCAD, for tests: click, type, look."""
 
 import pathlib
+import time
 
 import FreeCADGui
+from pivy import coin
 
 from pnsurfaces.compat import QtCore, QtGui, QtWidgets
+from pnsurfaces.distance_handle import NODE_NAME as HANDLE
+from pnsurfaces.singular_marks import NODE_NAME as MARKS
+from pnsurfaces.surface_sketch import NODE_NAME as SKETCH
 
 SCREENSHOTS = pathlib.Path(__file__).resolve().parents[2] / "build" / "screenshots"
 
@@ -13,6 +18,10 @@ EDIT_ROLE = QtCore.Qt.EditRole
 
 # Time in which FreeCAD handles its pending events and paints, in milliseconds.
 _SETTLING_TIME = 200
+
+# Milliseconds between two looks, and seconds after which a test has hung.
+_TICK = 10
+_PATIENCE = 60
 
 
 def show():
@@ -31,6 +40,16 @@ def settle(milliseconds=_SETTLING_TIME):
     loop = QtCore.QEventLoop()
     QtCore.QTimer.singleShot(milliseconds, loop.quit)
     loop.exec_()
+
+
+def settle_until(is_done, afterwards=_SETTLING_TIME):
+    """Lets FreeCAD go on until is_done(), and then some milliseconds longer."""
+    deadline = time.monotonic() + _PATIENCE
+    while not is_done():
+        if time.monotonic() > deadline:
+            raise TimeoutError("FreeCAD's window never came to rest.")
+        settle(_TICK)
+    settle(afterwards)
 
 
 def report_view_is_open():
@@ -58,9 +77,9 @@ def press(widget, key, text=""):
 
 
 def confirm(panel):
-    """Enter, which is OK."""
+    """Enter, which is OK: the panel closes when the surface is there."""
     press(panel.form[0], QtCore.Qt.Key_Return)
-    settle()
+    settle_until(lambda: not panel.is_busy())
 
 
 def cancel(panel):
@@ -129,6 +148,68 @@ def recorded_commands():
     return [line[4:] for line in lines if line.startswith(">>> ") and line[4:]]
 
 
+def is_drawn(feature):
+    """Whether the shape of a feature is drawn."""
+    return feature.ViewObject.SwitchNode.whichChild.getValue() >= 0
+
+
+def drawn_points(feature):
+    """The points that are drawn instead of the shape of a feature."""
+    return _points_in(_node(feature, SKETCH))
+
+
+def singular_points(feature):
+    """The ends of the lines to singular points, two of each, and those points again."""
+    return _points_in(_node(feature, MARKS))
+
+
+def has_handle(feature):
+    """Whether an arrow drags the distance of a feature."""
+    return _node(feature, HANDLE) is not None
+
+
+def handle_position(feature, along=0.0):
+    """A point of the arrow, so many of its lengths from where it stands."""
+    node = _node(feature, HANDLE)
+    (frame,), (dragger,) = (_all_of_type(node, kind) for kind in
+                            (coin.SoTransform, coin.SoTranslate1Dragger))
+    point = coin.SbVec3f(dragger.translation.getValue()[0] + along, 0, 0)
+    turned = frame.rotation.getValue().multVec(point * frame.scaleFactor.getValue()[0])
+    return tuple(turned + frame.translation.getValue())
+
+
+def drag_handle(feature, along):
+    """Drags the arrow by so many of its lengths with the mouse."""
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    settle()
+    view = FreeCADGui.activeDocument().activeView()
+    # Views of closed documents may still be there.
+    widgets = FreeCADGui.getMainWindow().findChildren(QtWidgets.QGraphicsView)
+    viewport = next(widget for widget in widgets if widget.isVisible()).viewport()
+
+    # The view counts pixels of the screen, events those of a widget.
+    scale = viewport.width() / view.getSize()[0]
+
+    def pixel(lengths):
+        x, y = view.getPointOnScreen(*handle_position(feature, lengths))
+        return QtCore.QPoint(x * scale, viewport.height() - y * scale)
+
+    grip = 0.9
+    start, end = pixel(grip), pixel(grip + along)
+    left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+    for kind, place, button, buttons in (
+        (QtCore.QEvent.MouseMove, start, none, none),
+        (QtCore.QEvent.MouseButtonPress, start, left, left),
+        (QtCore.QEvent.MouseMove, (start + end) / 2, none, left),
+        (QtCore.QEvent.MouseMove, end, none, left),
+        (QtCore.QEvent.MouseButtonRelease, end, left, none),
+    ):
+        event = QtGui.QMouseEvent(
+            kind, place, viewport.mapToGlobal(place), button, buttons, QtCore.Qt.NoModifier
+        )
+        QtWidgets.QApplication.sendEvent(viewport, event)
+
+
 def screenshot(name):
     """Keeps pictures of the whole window and of the 3D view."""
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
@@ -143,6 +224,25 @@ def screenshot(name):
 
 def _dock(name):
     return FreeCADGui.getMainWindow().findChild(QtWidgets.QDockWidget, name)
+
+
+def _node(feature, name):
+    """The node of this name that is drawn with a feature, or None."""
+    nodes = feature.ViewObject.RootNode.getChildren()
+    return next((node for node in nodes if node.getName() == name), None)
+
+
+def _points_in(node):
+    found = _all_of_type(node, coin.SoCoordinate3) if node else []
+    return [tuple(point) for coordinates in found for point in coordinates.point.getValues()]
+
+
+def _all_of_type(node, kind):
+    search = coin.SoSearchAction()
+    search.setType(kind.getClassTypeId())
+    search.setInterest(coin.SoSearchAction.ALL)
+    search.apply(node)
+    return [path.getTail() for path in search.getPaths()]
 
 
 def _with_next_dialog(act):

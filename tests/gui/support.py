@@ -11,8 +11,6 @@ import main_window
 import Part
 from FreeCAD import Vector
 
-from pnsurfaces.panel import PREVIEW_DELAY
-
 # A curved spine with five vertices, in millimetres.
 POLES = [
     (0, 0, 0), (20, 25, 0), (40, 25, 20), (65, -5, 30), (90, 5, 10), (110, 40, 5), (125, 55, 15)
@@ -126,7 +124,11 @@ def spline():
 
 
 def wait_for_preview():
-    main_window.settle(2 * PREVIEW_DELAY)
+    """Waits until the surface in the open panel, if there is one, has followed its inputs."""
+    document = FreeCADGui.activeDocument()
+    edited = document.getInEdit() if document else None
+    panel = edited.Proxy.panel if edited else None
+    main_window.settle_until(lambda: panel is None or not panel.is_busy())
 
 
 def input_of(panel, name):

@@ -143,8 +143,8 @@ class CanalSurface(FeatureBase):
         inner = _bore(obj) if obj.Hollow == BORE else _inside_of_wall(obj, outer)
         return [inner, outer]
 
-    def solid(self, obj, sections):
-        return CAPS[obj.Caps](sections)
+    def solid(self, inputs, sections):
+        return CAPS[inputs.Caps](sections)
 
     def onChanged(self, obj, name):
         super().onChanged(obj, name)

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import FreeCAD
 
 from pnsurfaces.edge_chain import CONFUSION
+from pnsurfaces.feature_inputs import agree, read_inputs
 from pnsurfaces.kernel import KernelMissing
 from pnsurfaces.shape import (
     measured,
@@ -165,23 +166,55 @@ class FeatureBase:
         self._add_missing_properties(obj)
         obj.Proxy = self
 
-    def base(self, obj):
-        """The surface at distance 0 (Base), from the subclass's inputs."""
+    # What `execute` takes instead of computing it, while `finish` runs.
+    _arrived = None
+
+    def base(self, inputs):
+        """The surface at distance 0 (Base), from the subclass's inputs, in any thread."""
         raise NotImplementedError
 
-    def sections(self, obj, surface):
+    def sections(self, inputs, surface):
         """The sections of the surface at distance 0 that are shown, the innermost first."""
-        return [surface.offset(distance) for distance in _distances(obj)]
+        return [surface.offset(distance) for distance in shown_distances(inputs)]
 
-    def solid(self, obj, sections):
+    def solid(self, inputs, sections):
         """The solid inside one section or between two: lists of faces, the innermost first."""
         return solid_of_sections(sections)
+
+    def inputs_of(self, obj):
+        """The FeatureInputs of now. All the rest of a computation needs no document."""
+        return read_inputs(obj, [entry.name for entry in (*self.inputs, *OFFSET_INPUTS)])
+
+    def has_same_base(self, inputs, others):
+        """Whether two FeatureInputs differ at most in what is shown of one surface."""
+        return agree(inputs, others, [entry.name for entry in self.inputs])
+
+    def outcome(self, inputs, base):
+        """The shape and the values of the result properties, by name, in any thread."""
+        sections = self._sections(inputs, base)
+        shape = self._shape(inputs, sections)
+        return shape, {**_results(*sections), **measured(shape), **base.results}
+
+    def exact_sections(self, obj):
+        """The Sections of the present inputs, whatever the shape shows."""
+        inputs = self.inputs_of(obj)
+        return self._sections(inputs, self.base(inputs))
+
+    def finish(self, obj, arrived):
+        """Recomputes the feature with the outcome that arrived() returns, or the error it raises.
+
+        Another thread has computed it from the present inputs.
+        """
+        self._arrived = arrived
+        try:
+            obj.recompute()
+        finally:
+            self._arrived = None
 
     def execute(self, obj):
         """Makes the shape and the results; on failure keeps both and says why."""
         try:
-            shape, results = self._computed(obj)
-            results.update(measured(shape))
+            shape, results = self._arrived() if self._arrived else self._computed(obj)
         except Exception as error:
             obj.Status = f"Error: {error}"
             raise
@@ -204,26 +237,27 @@ class FeatureBase:
             obj.DeviationBound = float(obj.Deviation.removesuffix(" mm"))
         self._restore_digits(obj)
 
-    def exact_sections(self, obj):
-        """The Sections of the present inputs, whatever the shape shows."""
-        base = self.base(obj)
-        surfaces = self.sections(obj, base.surface)
-        lines = PARAMETER_LINES[obj.ParameterLines]
+    def _sections(self, inputs, base):
+        surfaces = self.sections(inputs, base.surface)
+        lines = PARAMETER_LINES[inputs.ParameterLines]
         faces = [surface.bsplines(lines=lines) for surface in surfaces]
         return Sections(
             base, surfaces, faces, [surface.certificate_of(lines) for surface in surfaces]
         )
 
+    def _shape(self, inputs, sections):
+        if inputs.Output == SOLID:
+            return self.solid(inputs, sections.faces)
+        return surface_of_sections(sections.faces)
+
     def _computed(self, obj):
-        """The shape and the values of the result properties, by name."""
-        base, surfaces, faces, certificates = self.exact_sections(obj)
-        shape = self.solid(obj, faces) if obj.Output == SOLID else surface_of_sections(faces)
-        return shape, {**_results(base, surfaces, faces, certificates), **base.results}
+        inputs = self.inputs_of(obj)
+        return self.outcome(inputs, self.base(inputs))
 
     def _restore_digits(self, obj):
         """Replaces a shape that lost digits in the file by the exact one, and no other shape."""
         try:
-            exact, _ = self._computed(obj)
+            exact = self._shape(self.inputs_of(obj), self.exact_sections(obj))
         except (ValueError, KernelMissing):
             return  # Nothing to compare with: the stored shape stays, as after a failed recompute.
         if 0 < storage_loss(own_shape(obj), exact) <= STORED_RESOLUTION:
@@ -298,11 +332,16 @@ def deviation_text(deviation):
     return f"{deviation:.1e} mm" if deviation else "0 mm"
 
 
-def _distances(obj):
-    """The distances of the surfaces that are shown, the smallest first."""
-    distances = SIDES[obj.Sides](obj.Distance.Value, obj.SecondDistance.Value)
+def distances_of(inputs):
+    """The distances that the choice of sides stands for, the smallest first."""
+    return SIDES[inputs.Sides](inputs.Distance.Value, inputs.SecondDistance.Value)
+
+
+def shown_distances(inputs):
+    """The same, of surfaces or of a wall that has a thickness."""
+    distances = distances_of(inputs)
     thickness = distances[-1] - distances[0]
-    if obj.Output == SOLID and obj.Sides != ONE_SIDE and thickness <= CONFUSION:
+    if inputs.Output == SOLID and inputs.Sides != ONE_SIDE and thickness <= CONFUSION:
         raise ValueError(f"The wall would be {thickness:.2g} mm thick. Give it a distance.")
     return distances
 

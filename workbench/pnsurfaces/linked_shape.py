@@ -9,6 +9,40 @@ class LinkError(ValueError):
     """A link leads to no shape. The text is a sentence for the user."""
 
 
+class Source:
+    """What a link led to when it was read: the label of an object and the shapes it linked.
+
+    It takes the object's place where the document may not be touched, in other threads. That
+    shapes are missing is said when they are asked for: not every link is used.
+    """
+
+    def __init__(self, label, shapes, error=None):
+        self.Label = label
+        self._shapes = shapes
+        self._error = error
+
+    @classmethod
+    def read(cls, source, names, container=None):
+        """The sub-elements `names` of a document object, as `linked_shapes` finds them."""
+        try:
+            return cls(source.Label, linked_shapes(source, names, container))
+        except LinkError as error:
+            return cls(source.Label, [], error)
+
+    def __eq__(self, other):
+        """Whether both led to the same shapes, not just to equal ones."""
+        return (
+            self.Label == other.Label
+            and len(self._shapes) == len(other._shapes)
+            and all(map(_are_one, self._shapes, other._shapes))
+        )
+
+    def shapes(self):
+        if self._error:
+            raise self._error
+        return self._shapes
+
+
 def as_link(value):
     """The pair (object, sub-element names) of an object, (object, "Edge1") or (object, names)."""
     source, names = value if isinstance(value, (tuple, list)) else (value, [])
@@ -18,10 +52,12 @@ def as_link(value):
 def linked_shapes(source, names, container=None):
     """The sub-elements `names` of the document object `source`; no name stands for all of it.
 
-    Coordinates are those of `container` (a part or body, None for the document itself).
+    A Source that was read before gives what it was read for. Coordinates are those of `container` (a part or body, None for the document itself).
 
     Raises LinkError when a sub-element does not exist any more.
     """
+    if isinstance(source, Source):
+        return source.shapes()
     return [_in_container(shape, source, container) for shape in _shapes(source, names)]
 
 
@@ -35,6 +71,11 @@ def only_face(link, container=None):
     if len(faces) != 1:
         raise LinkError(f"{source.Label} gives {len(faces)} faces. Choose one face.")
     return faces[0]
+
+
+def _are_one(shape, other):
+    # Not isSame: reading a shape of a document gives its place anew.
+    return shape.isPartner(other) and shape.Placement == other.Placement
 
 
 def depends_on(obj, other):

@@ -1,24 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel that all exact surfaces share: offset, live result, one undo step."""
 
-import contextlib
 import math
 
 import FreeCAD
 import FreeCADGui
 
 from pnsurfaces import resources
-from pnsurfaces.compat import QtCore, QtGui, QtWidgets, connect
-from pnsurfaces.feature import SOLID, TWO_OFFSETS
+from pnsurfaces.compat import QtGui, QtWidgets, connect
+from pnsurfaces.distance_handle import DistanceHandle
+from pnsurfaces.feature import SOLID, TWO_OFFSETS, distances_of
+from pnsurfaces.limits_bar import LimitsBar
+from pnsurfaces.preview import Preview
+from pnsurfaces.singular_marks import SingularMarks
 
 translate = FreeCAD.Qt.translate
 
-# The pause in typing after which the surface follows, in milliseconds: longer than between two
-# keystrokes, shorter than what is felt as waiting.
-PREVIEW_DELAY = 150
-
-# FreeCAD's names of the Report view and the status bar among the observers of its console.
-_LOGS = ("ReportOutput", "StatusBar")
+# Under the distance.
+_ROW_OF_LIMITS = 1
 
 # A sentence in the narrow panel has about so many lines, and its label grows after it has it.
 _LINES_OF_STATUS = 6
@@ -38,22 +37,6 @@ def title(link):
     return ", ".join([source.Label, *names])
 
 
-@contextlib.contextmanager
-def _silent_logs():
-    """Keeps the logs from showing a traceback at an unfinished number: the panel says all."""
-    console = FreeCAD.Console
-    spoken = [
-        (log, kind) for log in _LOGS for kind in ("Err", "Wrn") if console.GetStatus(log, kind)
-    ]
-    for log, kind in spoken:
-        console.SetStatus(log, kind, False)
-    try:
-        yield
-    finally:
-        for log, kind in spoken:
-            console.SetStatus(log, kind, True)
-
-
 class TaskPanel:
     """Edits a feature from opening to OK or Cancel: one undo step, or nothing left behind.
 
@@ -65,13 +48,19 @@ class TaskPanel:
         """`inputs` is the form with the inputs of this kind of surface."""
         self.feature = feature
         self._result = load_form("result")
-        self._offset = load_form("offset")
-        self.form = [inputs, self._offset, self._result]
+        self._offset = offset = load_form("offset")
+        self.limits = LimitsBar()
+        offset.layout().insertRow(_ROW_OF_LIMITS, self.limits)
+        self.form = [inputs, offset, self._result]
         self._document = feature.Document
         self._was_touched = "Touched" in feature.State
         self._before = {}
-        self._timer = QtCore.QTimer(singleShot=True, interval=PREVIEW_DELAY)
-        connect(self._timer, "timeout()", self.preview)
+        self._distance = offset.Distance
+        self._handle = DistanceHandle(feature.ViewObject, self._drag)
+        self._marks = SingularMarks(feature.ViewObject)
+        self._preview = Preview(feature, self.show_result, self._show_surface, self._settle)
+        self._is_accepted = False
+        connect(self._result.stop, "clicked()", self._stop)
         self._open_transaction()
         icon = QtGui.QIcon(feature.ViewObject.Proxy.getIcon())
         for form in self.form:
@@ -82,11 +71,13 @@ class TaskPanel:
             connect(combo_box, "currentTextChanged(QString)", self._show_rows_of_offset)
         self._show_rows_of_offset()
         self.show_result()
+        self._preview.prepare()
 
     def assign(self, name, value):
         """Gives a property a value; the surface follows after a pause."""
         setattr(self.feature, name, value)
-        self._timer.start()
+        self._show_distance()
+        self._preview.request()
 
     def fill(self, spin_box, name):
         """Shows the value of a property in its box, which rounds and may not write that back."""
@@ -98,17 +89,11 @@ class TaskPanel:
         """Has the property `name` in the recorded macro when it differs at the end."""
         self._before[name] = _state(self.feature, name)
 
-    def preview(self):
-        """Computes this feature, and no other, and shows the result."""
-        self._timer.stop()
-        with _silent_logs():
-            self.feature.recompute()
-        self.show_result()
-
     def show_result(self):
         """Shows the results of the feature, greyed when they are those of an earlier shape."""
+        self._result.progress.setVisible(self._preview.is_long())
         valid = self.feature.isValid()
-        status = self.feature.Status if valid else f"Error: {self.feature.getStatusString()}"
+        status = self._status()
         kind, _, _ = status.partition(":")
         self._result.status.setText(status)
         self._result.status.setStyleSheet(_STYLES.get(kind, ""))
@@ -118,9 +103,8 @@ class TaskPanel:
         for label in self._result.values.findChildren(QtWidgets.QLabel):
             if label.objectName() in self.feature.PropertiesList:
                 label.setText(_display(getattr(self.feature, label.objectName())))
-        self._result.regular_range.setText(
-            _range(self.feature.MinOffset.Value, self.feature.MaxOffset.Value)
-        )
+        self._result.regular_range.setText(_range(*self._limits()))
+        self._show_distance()
 
     def explain(self, sentence):
         """Says what is wrong with what the user did, where the status is shown."""
@@ -128,15 +112,16 @@ class TaskPanel:
         self._result.status.setStyleSheet(_STYLES["Error"])
 
     def accept(self):
-        """OK: keeps the surface. Without a surface the panel stays and says why."""
-        if self._timer.isActive():
-            self.preview()
-        if not self.feature.isValid():
+        """OK: keeps the surface, once it is there. Without a surface the panel stays and says why."""
+        if self._preview.is_pending():
+            self._preview.start()
+            self._wait_for_surface(True)
             return False
-        self._record_macro()
-        FreeCAD.closeActiveTransaction()
-        FreeCADGui.getDocument(self._document.Name).resetEdit()
-        return True
+        return self._keep()
+
+    def is_busy(self):
+        """Whether the surface still has to follow the inputs."""
+        return self._preview.is_pending()
 
     def reject(self):
         """Cancel: restores what was there when the panel opened."""
@@ -149,7 +134,9 @@ class TaskPanel:
 
     def close(self):
         """Ends the live preview. The view provider calls it whatever closes the panel."""
-        self._timer.stop()
+        self._preview.close()
+        self._handle.close()
+        self._marks.hide()
         for form in self.form:
             # A number box that loses the focus reports its value once more.
             for widget in form.findChildren(QtWidgets.QWidget):
@@ -163,6 +150,58 @@ class TaskPanel:
             widget.setVisible(has_second)
         for widget in (self._offset.caps_label, self._offset.Caps):
             widget.setVisible(has_caps)
+
+    def _limits(self):
+        return self.feature.MinOffset.Value, self.feature.MaxOffset.Value
+
+    def _show_distance(self):
+        self.limits.show_distances(distances_of(self.feature), *self._limits())
+        self._handle.follow(self.feature.Distance.Value)
+        if "Distance" in dict(self.feature.ExpressionEngine):
+            self._handle.hide()
+        else:
+            self._handle.show()
+
+    def _show_surface(self, made):
+        self._marks.show(made.focal_points)
+        self._handle.place(made.mesh, _up(self.feature))
+        self._show_distance()
+
+    def _drag(self, distance):
+        self.assign("Distance", distance)
+        self.fill(self._distance, "Distance")
+
+    def _settle(self):
+        """Closes the panel if OK has waited for the surface."""
+        if self._is_accepted:
+            self._wait_for_surface(False)
+            self._keep()
+
+    def _stop(self):
+        self._preview.stop()
+        self._wait_for_surface(False)
+
+    def _wait_for_surface(self, is_accepted):
+        self._is_accepted = is_accepted
+        for form in self.form[:-1]:
+            form.setEnabled(not is_accepted)
+
+    def _keep(self):
+        if not self.feature.isValid():
+            return False
+        self._record_macro()
+        FreeCAD.closeActiveTransaction()
+        FreeCADGui.getDocument(self._document.Name).resetEdit()
+        return True
+
+    def _status(self):
+        if self._preview.is_stopped():
+            return translate("PNSurfaces", "Stopped. The surface is that of earlier values.")
+        if self._preview.is_long():
+            return translate("PNSurfaces", "Computing…")
+        if self.feature.isValid():
+            return self.feature.Status
+        return f"Error: {self.feature.getStatusString()}"
 
     def _open_transaction(self):
         # The command that creates a surface has opened its own.
@@ -231,6 +270,14 @@ def _scroll_to(widget):
     for area in FreeCADGui.getMainWindow().findChildren(QtWidgets.QScrollArea):
         if area.isAncestorOf(widget):
             area.ensureWidgetVisible(widget, 0, _LINES_OF_STATUS * widget.fontMetrics().height())
+
+
+def _up(feature):
+    """The direction upwards on the screen, in the coordinates of a feature."""
+    view = FreeCADGui.getDocument(feature.Document.Name).mdiViewsOfType("Gui::View3DInventor")
+    camera = view[0].getCameraOrientation() if view else FreeCAD.Rotation()
+    placement = feature.getGlobalPlacement()
+    return placement.Rotation.inverted().multVec(camera.multVec(FreeCAD.Vector(0, 1, 0)))
 
 
 def _state(feature, name):

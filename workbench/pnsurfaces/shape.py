@@ -99,5 +99,6 @@ def _together(shapes):
 def part_shape(brep):
     """The Part shape in a BREP text of pnocct."""
     shape = Part.Shape()
-    shape.importBrepFromString(brep)
+    # No progress bar: that is a matter of the thread of the window.
+    shape.importBrepFromString(brep, False)
     return shape

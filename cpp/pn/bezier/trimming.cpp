@@ -60,8 +60,8 @@ Directrices directrices_of(const std::vector<LinedSegment>& segments, bool close
   for (auto& side : spans) side.resize(segments.size());
   for_each_index(segments.size(), [&](std::size_t i) {
     const LinedSegment& segment = segments[i];
-    DirectrixForms forms = directrix_forms(std::get<RulingForms<double>>(segment.carrier),
-                                           isotropic_vector<double>(segment.lines));
+    DirectrixForms<double> forms = directrix_forms(std::get<RulingForms<double>>(segment.carrier),
+                                                   isotropic_vector<double>(segment.lines));
     for (std::size_t side = 0; side < 2; ++side) {
       spans[side][i] = {segment.begin, segment.end, std::move(forms[side])};
     }
