@@ -98,6 +98,15 @@ bool correspond(const std::vector<BSplineSurface>& inner,
                     [](const auto& a, const auto& b) { return have_equal_structure(a, b); });
 }
 
+bool any_trimmed(const std::vector<BSplineSurface>& surfaces) {
+  return std::any_of(surfaces.begin(), surfaces.end(),
+                     [](const BSplineSurface& surface) { return !surface.trims.empty(); });
+}
+
+std::invalid_argument not_corresponding() {
+  return std::invalid_argument("The free edges of the two open shells do not correspond.");
+}
+
 // The images of the trims of each face.
 using Images = std::vector<TrimImages>;
 
@@ -133,6 +142,10 @@ class WalledFaces {
     if (has_walls_ != is_open(ends)) {
       throw std::invalid_argument("A thick solid needs closed shells, and one of the two is open.");
     }
+    // Fits of other trims have other knots, or the same by chance.
+    const bool are_comparable =
+        correspond(inner, outer) || !(any_trimmed(inner) || any_trimmed(outer));
+    if (has_walls_ && !(are_comparable && starts.size() == ends.size())) throw not_corresponding();
     if (has_walls_) add_walls(starts, ends);
   }
 
@@ -179,9 +192,6 @@ class WalledFaces {
   }
 
   void add_walls(const std::vector<std::size_t>& starts, const std::vector<std::size_t>& ends) {
-    if (starts.size() != ends.size()) {
-      throw std::invalid_argument("The two open shells do not have as many free edges.");
-    }
     for (std::size_t i = 0; i < starts.size(); ++i) {
       // Between two points there is no wall.
       if (!edges_.is_degenerate(starts[i]) || !edges_.is_degenerate(ends[i])) {
@@ -198,9 +208,7 @@ class WalledFaces {
     };
     const BoundaryCurve from = side(start);
     const BoundaryCurve to = side(end);
-    if (!have_equal_structure(from, to)) {
-      throw std::invalid_argument("The free edges of the two open shells do not correspond.");
-    }
+    if (!have_equal_structure(from, to)) throw not_corresponding();
     const BSplineSurface wall = ruled_surface(from, to);
     faces_.push_back({to_geometry(wall), edges_.add(wall, {})});
   }
