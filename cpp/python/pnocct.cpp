@@ -15,6 +15,7 @@
 #include "pn/occt/occt_error.hpp"
 #include "pn/occt/shape_check.hpp"
 #include "pn/occt/shell.hpp"
+#include "pn/occt/spherical_caps.hpp"
 #include "pn/occt/step.hpp"
 #include "pn/occt/thick_solid.hpp"
 
@@ -122,10 +123,27 @@ std::string capped_solid(const py::iterable& faces) {
   return pn::to_brep(together(solids));
 }
 
+std::string domed_solid(const py::iterable& faces) {
+  const auto surfaces = surfaces_from(faces);
+  const py::gil_scoped_release release;
+  std::vector<TopoDS_Solid> solids;
+  for (const TopoDS_Shell& part : pn::make_shells(surfaces)) {
+    solids.push_back(pn::make_domed_solid(part));
+  }
+  return pn::to_brep(together(solids));
+}
+
 std::string thick_solid(const py::iterable& inner_faces, const py::iterable& outer_faces) {
   const auto inner = surfaces_from(inner_faces), outer = surfaces_from(outer_faces);
   const py::gil_scoped_release release;
-  return pn::to_brep(pn::make_thick_solid(inner, outer));
+  return pn::to_brep(together(pn::make_thick_solids(inner, outer)));
+}
+
+std::string domed_thick_solid(const py::iterable& inner_faces, const py::iterable& outer_faces) {
+  const auto inner = surfaces_from(inner_faces), outer = surfaces_from(outer_faces);
+  const py::gil_scoped_release release;
+  return pn::to_brep(pn::make_thick_solid(pn::make_domed_shell(pn::make_shell(inner)),
+                                          pn::make_domed_shell(pn::make_shell(outer))));
 }
 
 std::vector<std::string> check(const std::string& brep, bool boolean) {
@@ -256,13 +274,25 @@ PYBIND11_MODULE(pnocct, m) {
         "Return the solid inside the shell of the faces, its open ends closed by planar faces.\n\n"
         "Faces of several parts give a compound of solids. Raises ValueError when an open end is\n"
         "not planar or not closed.");
-  m.def("thick_solid", &thick_solid, "inner_faces"_a, "outer_faces"_a,
-        "Return the solid between two offsets of one surface, or two pipes around one spine.\n\n"
-        "Closed shells, the first inside the second, make a solid with a void; open ones, without\n"
-        "trims, are joined by ruled walls along their free sides. That they do not touch is not\n"
-        "examined. Raises ValueError when only one shell is closed, when the first does not lie\n"
-        "inside the second, when the free sides of open shells do not correspond, and when open\n"
-        "shells are trimmed.");
+  m.def(
+      "domed_solid", &domed_solid, "faces"_a,
+      "Return the solid inside the shell of the faces, its open ends closed by parts of "
+      "spheres.\n\n"
+      "A canal surface ends along a circle of the sphere of its last parameter; the cap is the\n"
+      "part of that sphere beyond it, tangent to the surface. Faces of several parts give a\n"
+      "compound of solids. Raises ValueError when no sphere touches the faces along an open end.");
+  m.def(
+      "thick_solid", &thick_solid, "inner_faces"_a, "outer_faces"_a,
+      "Return the solid between two offsets of one surface, or two pipes around one spine.\n\n"
+      "Closed shells, the first inside the second, make a solid with a void; open ones are joined\n"
+      "by ruled walls along their free edges. Faces of several parts give a compound of solids.\n"
+      "That they do not touch is not examined. Raises ValueError when only one shell is closed,\n"
+      "when the first does not lie inside the second, and when the free edges of open shells do\n"
+      "not correspond.");
+  m.def(
+      "domed_thick_solid", &domed_thick_solid, "inner_faces"_a, "outer_faces"_a,
+      "Return the solid between two surfaces, one inside the other, with a void: the open ends of\n"
+      "both are closed by parts of spheres as in domed_solid, and need not correspond.");
   m.def("check", &check, "brep"_a, "boolean"_a = false,
         "Return the faults of a shape as sentences; none when it is valid.\n\n"
         "With boolean=True a valid shape is also examined as an argument of Boolean operations,\n"
@@ -279,11 +309,13 @@ PYBIND11_MODULE(pnocct, m) {
   m.def(
       "measured_volume",
       [](const std::string& brep) { return pair_of(pn::measured_volume(pn::from_brep(brep))); },
-      "brep"_a, "Return the volume (mm^3) and an estimate of its error, as `volume`.");
+      "brep"_a, py::call_guard<py::gil_scoped_release>(),
+      "Return the volume (mm^3) and an estimate of its error, as `volume`.");
   m.def(
       "measured_area",
       [](const std::string& brep) { return pair_of(pn::measured_area(pn::from_brep(brep))); },
-      "brep"_a, "Return the area (mm^2) and an estimate of its error, as `area`.");
+      "brep"_a, py::call_guard<py::gil_scoped_release>(),
+      "Return the area (mm^2) and an estimate of its error, as `area`.");
   m.def(
       "write_step", &write_step, "path"_a, "shapes"_a, "names"_a, "schema"_a = "AP214",
       "pcurves"_a = true, "progress"_a = py::none(),

@@ -15,7 +15,7 @@ using pn::SharedVertices;
 namespace {
 
 pn::FaceBoundary add(SharedEdges& edges, const pn::BSplineSurface& surface) {
-  return edges.add(surface, pn::to_geometry(surface));
+  return edges.add(surface, pn::trim_images(surface, {pn::to_geometry(surface)}).front());
 }
 
 }  // namespace
@@ -101,4 +101,47 @@ TEST_CASE("Every trim is an edge of its own, whatever it has in common with anot
   add(edges, patch);
   add(edges, patch);
   CHECK(edges.topology().size() == 8);
+}
+
+TEST_CASE("The images of a trim on two surfaces have the same knots") {
+  const auto wave = pn::test::wavy_tube();
+  const auto images =
+      pn::trim_images(wave, {pn::to_geometry(wave), pn::to_geometry(pn::test::tube(3, 1, 4, 7))});
+  REQUIRE(images.size() == 2);
+  REQUIRE(images[0].size() == 1);
+  const auto& [near, far] = std::pair(images[0][0], images[1][0]);
+  CHECK(near->NbKnots() == far->NbKnots());
+  CHECK(near->NbPoles() == far->NbPoles());
+  for (int k = 1; k <= near->NbKnots(); ++k) CHECK(near->Knot(k) == far->Knot(k));
+}
+
+TEST_CASE("A further face finds an edge by its side, from vertex to vertex") {
+  SharedEdges edges;
+  const auto runs = add(edges, pn::test::wavy_tube()).at(0);
+  // A piece of the seam, a trim, a whole rim.
+  for (const int i : {0, 1, 3}) {
+    const pn::BoundaryCurve side = edges.side_along(runs[i].edge);
+    pn::BSplineSurface wall{side.degree, 1,  side.knots, {0, 1}, side.multiplicities,
+                            {2, 2},      {}, {},         {}};
+    for (std::size_t k = 0; k < side.poles.size(); ++k) {
+      const auto& [x, y, z] = side.poles[k];
+      wall.poles.insert(wall.poles.end(), {{x, y, z}, {2 * x, 2 * y, z}});
+      wall.weights.insert(wall.weights.end(), 2, side.weights[k]);
+    }
+    const std::size_t known = edges.size();
+    CHECK(add(edges, wall).at(0)[0].edge == runs[i].edge);
+    CHECK(edges.size() > known);
+  }
+}
+
+TEST_CASE("A side that is a point is degenerate") {
+  SharedEdges edges;
+  const auto runs = add(edges, pn::test::sphere_halves()[0]).at(0);
+  int points = 0;
+  for (const pn::Run& run : runs) {
+    if (!edges.is_degenerate(run.edge)) continue;
+    ++points;
+    CHECK(std::abs(edges.start_of(run.edge)[2]) == 1);
+  }
+  CHECK(points == 2);
 }

@@ -3,6 +3,7 @@
 
 #include <BRepClass3d_SolidClassifier.hxx>
 #include <TopExp.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <catch2/catch.hpp>
 
@@ -30,6 +31,26 @@ int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
 void check_clean(const TopoDS_Shape& shape) {
   CHECK(pn::faults(shape) == std::vector<std::string>());
   CHECK(pn::boolean_faults(shape) == std::vector<std::string>());
+}
+
+// The x and y of the poles times `factor`.
+void widen(pn::BSplineSurface& surface, double factor) {
+  for (auto& [x, y, z] : surface.poles) {
+    x *= factor;
+    y *= factor;
+  }
+}
+
+// `wavy_tube` with a wave that is smooth at the seam, `wave_factor` as high, and another radius.
+// (In a closed wall with a corner OpenCASCADE's Boolean check sees an intersection that is none.)
+pn::BSplineSurface smooth_wavy_tube(double radius, double wave_factor = 1) {
+  auto tube = pn::test::wavy_tube();
+  widen(tube, radius / 2);
+  tube.trims[0][1].poles[5] = {0.4, 3.5};
+  for (auto& trim : tube.trims.front()) {
+    for (auto& [u, v] : trim.poles) u *= wave_factor;
+  }
+  return tube;
 }
 
 TopAbs_State state(const TopoDS_Shape& solid, const gp_Pnt& point) {
@@ -145,6 +166,82 @@ TEST_CASE("A pole may lie opposite an arc") {
   CHECK(volume(solid) == Approx(whole / 4).epsilon(1e-13));
 }
 
+TEST_CASE("A trimmed pipe has a wall along its wave") {
+  const TopoDS_Solid solid = make_thick_solid({smooth_wavy_tube(2)}, {smooth_wavy_tube(3)});
+  check_clean(solid);
+  CHECK(count(solid, TopAbs_FACE) == 4);
+  CHECK(count(solid, TopAbs_EDGE) == 4 + 2 + 2);
+  CHECK(count(solid, TopAbs_VERTEX) == 4);
+  CHECK(pn::trim_deviation(solid) < 2e-9);
+  // The tubes are cylinders of height 5 u: both areas are cut off alike, as sectors are.
+  const double inner = pn::area(make_shell({smooth_wavy_tube(2)}));
+  CHECK(volume(solid) == Approx(inner / 2 * (9 - 4) / 2).epsilon(1e-9));
+}
+
+TEST_CASE("A hole has a wall around it") {
+  auto wide = pn::test::tube_with_hole_across_seam();
+  widen(wide, 1.5);
+  const auto tube = pn::test::tube_with_hole_across_seam();
+  const TopoDS_Solid solid = make_thick_solid({tube}, {wide});
+  check_clean(solid);
+  CHECK(volume(solid) == Approx(pn::area(make_shell({tube})) / 2 * (9 - 4) / 2).epsilon(1e-9));
+}
+
+TEST_CASE("Walls along pieces of sides, where neighbours share the rest") {
+  const auto inner = pn::test::trimmed_neighbours();
+  const auto between = [&inner](double factor) {
+    auto outer = inner;
+    for (auto& face : outer) widen(face, factor);
+    return make_thick_solid(inner, outer);
+  };
+  const TopoDS_Solid solid = between(1.5);
+  check_clean(solid);
+  // Two faces of four edges each have one in common.
+  CHECK(count(solid, TopAbs_FACE) == 4 + 6);
+  CHECK(count(solid, TopAbs_EDGE) == 2 * 7 + 6);
+  // The volume is that of sectors, and goes with the square of the factor.
+  CHECK(volume(solid) / volume(between(2)) == Approx(1.25 / 3).epsilon(1e-9));
+}
+
+TEST_CASE("Several parts make several solids") {
+  const auto pair = [](double factor, std::vector<pn::BSplineSurface> faces) {
+    for (auto& face : faces) widen(face, factor);
+    auto upper = faces;
+    for (auto& face : upper) {
+      for (auto& [x, y, z] : face.poles) z += 20;
+    }
+    faces.insert(faces.end(), upper.begin(), upper.end());
+    return faces;
+  };
+  SECTION("open ones") {
+    const auto solids =
+        pn::make_thick_solids(pair(1, {smooth_wavy_tube(2)}), pair(1.5, {smooth_wavy_tube(2)}));
+    REQUIRE(solids.size() == 2);
+    check_clean(solids[0]);
+    CHECK(volume(solids[1]) == Approx(volume(solids[0])).epsilon(1e-12));
+    CHECK_THROWS_WITH(
+        make_thick_solid(pair(1, {smooth_wavy_tube(2)}), pair(1.5, {smooth_wavy_tube(2)})),
+        Catch::Contains("hang together"));
+  }
+  SECTION("closed ones") {
+    const auto inner = pair(1, pn::test::ellipsoid_halves(3, 2, 1));
+    const auto outer = pair(1, pn::test::ellipsoid_halves(4, 3, 2));
+    const auto solids = pn::make_thick_solids(inner, outer);
+    REQUIRE(solids.size() == 2);
+    for (const TopoDS_Solid& solid : solids) {
+      CHECK(count(solid, TopAbs_SHELL) == 2);
+      CHECK(volume(solid) == Approx(4 * kPi / 3 * (24 - 6)).epsilon(1e-13));
+    }
+  }
+}
+
+TEST_CASE("Closed shells of other structure make a void as well") {
+  auto slow = torus(5, 2);
+  for (double& knot : slow.v_knots) knot *= 2;
+  const TopoDS_Solid solid = make_thick_solid({torus(5, 1)}, {slow});
+  CHECK(volume(solid) == Approx(2 * kPi * kPi * 5 * (4 - 1)).epsilon(1e-13));
+}
+
 TEST_CASE("Only the free sides of two pipes need to correspond") {
   const auto tube = pn::test::tube(2, 0, 2, 7);
   const std::vector wide = {pn::test::tube(3, 0, 3, 5), pn::test::tube(3, 5, 3, 7)};
@@ -168,8 +265,9 @@ TEST_CASE("Open faces that do not correspond are refused") {
       pn::test::revolve(pn::test::line({3, 0}, {3, 5}), pn::test::circle_arcs(1, 2));
   CHECK_THROWS_WITH(make_thick_solid({tube}, {quarter}), Catch::Contains("correspond"));
   CHECK_THROWS_WITH(make_thick_solid({tube}, {torus(5, 2)}), Catch::Contains("open"));
-  const std::vector trimmed = {pn::test::wavy_tube()};
-  CHECK_THROWS_WITH(make_thick_solid(trimmed, trimmed), Catch::Contains("Trimmed"));
+  CHECK_THROWS_WITH(make_thick_solid({smooth_wavy_tube(2)}, {smooth_wavy_tube(3, 0.7)}),
+                    Catch::Contains("correspond"));
+  CHECK_THROWS_WITH(make_thick_solid({smooth_wavy_tube(2)}, {wide}), Catch::Contains("correspond"));
 }
 
 TEST_CASE("Shells without a solid between them are refused") {

@@ -368,3 +368,27 @@ class PanelTest(GuiTest):
         main_window.screenshot("wall")
         main_window.confirm(panel)
         main_window.screenshot("wall_in_tree")
+
+    def test_caps_are_a_matter_of_solids(self):
+        feature, panel = self.open_panel(self.spline, "Edge1")
+        self.assertTrue(input_of(panel, "Caps").isHidden())
+        input_of(panel, "Output").setCurrentText("Solid")
+        self.assertFalse(input_of(panel, "Caps").isHidden())
+        input_of(panel, "Caps").setCurrentText("Spherical")
+        wait_for_preview()
+        self.assertTrue(feature.isValid(), feature.getStatusString())
+        self.assertEqual(input_of(panel, "Volume").text(), feature.Volume.UserString)
+        main_window.screenshot("spherical_caps")
+        main_window.confirm(panel)
+        self.assertEqual((feature.Caps, len(feature.Shape.Faces)), ("Spherical", 3))
+
+    def test_two_offsets(self):
+        feature, panel = self.open_panel(self.spline, "Edge1")
+        self.assertTrue(input_of(panel, "SecondDistance").isHidden())
+        make_wall(panel, "1", "Two offsets")
+        self.assertFalse(input_of(panel, "SecondDistance").isHidden())
+        main_window.type_text(input_of(panel, "SecondDistance"), "0.25")
+        main_window.confirm(panel)
+        self.assertTrue(feature.isValid(), feature.getStatusString())
+        self.assertEqual(feature.SecondDistance.Value, 0.25)
+        self.assertEqual(feature.Shape.ShapeType, "Solid")

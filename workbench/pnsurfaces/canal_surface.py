@@ -29,6 +29,11 @@ from pnsurfaces.radius_law import (
     VALUES_AT_VERTICES,
     radius_law,
 )
+from pnsurfaces.shape import (
+    domed_solid_of_sections,
+    solid_of_sections,
+    uncapped_solid_of_sections,
+)
 from pnsurfaces.spine import read_spine
 from pnsurfaces.spline_fit import FIT_TOLERANCE, deviation_of
 
@@ -46,11 +51,19 @@ INPUTS_OF_HOLLOW = {SOLID_PIPE: (), WALL: ("WallThickness",), BORE: ("InnerRadiu
 class HollowError(ValueError):
     """The pipe has no such wall. The text is a sentence for the user."""
 
+# How the ends of a solid are closed. Without caps only a wall is a solid, closed by its normals,
+# and a pipe without ends.
+CAPS = {
+    "Flat": solid_of_sections,
+    "Spherical": domed_solid_of_sections,
+    "None": uncapped_solid_of_sections,
+}
+
 
 class CanalSurface(FeatureBase):
     """Proxy of a canal surface: a spine and the law of the radius along it."""
 
-    # Version 2 added the laws Table, Expression and Profile, the fits and the hollow pipe.
+    # Version 2 added the laws Table, Expression and Profile, the fits, the hollow pipe and caps.
     schema_version = 2
 
     inputs = (
@@ -96,6 +109,9 @@ class CanalSurface(FeatureBase):
         Property("App::PropertyLength", "InnerRadius", HOLLOW_GROUP,
                  QT_TRANSLATE_NOOP("App::Property", "Radius of the bore, the same everywhere"),
                  1.0),
+        Property("App::PropertyEnumeration", "Caps", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property", "How the ends of a solid are closed"),
+                 list(CAPS)),
         result("App::PropertyString", "FitDeviation",
                QT_TRANSLATE_NOOP("App::Property",
                                  "How far fits are off, part of the deviation; proven or"
@@ -127,7 +143,11 @@ class CanalSurface(FeatureBase):
         inner = _bore(obj) if obj.Hollow == BORE else _inside_of_wall(obj, outer)
         return [inner, outer]
 
+    def solid(self, inputs, sections):
+        return CAPS[inputs.Caps](sections)
+
     def onChanged(self, obj, name):
+        super().onChanged(obj, name)
         # While a document is read, other properties may not be there yet.
         if obj.Document.Restoring:
             return
@@ -216,7 +236,7 @@ def make_canal_surface(spine, radius, distance=0, *, document=None, name="CanalS
         FitTolerance : how far fits may be off; 1e-5 mm unless given
         Hollow : "No", "Wall thickness" or "Inner radius", with WallThickness (measured inwards) or
             InnerRadius
-        Output : "Surface" or "Solid";  Sides, ParameterLines : as in the task panel
+        Output : "Surface" or "Solid";  Sides, Caps, ParameterLines : as in the task panel
 
     Returns the document object. A surface that cannot be computed is there all the same, as in the
     tree, with the reason in getStatusString() and the property Status.

@@ -10,22 +10,30 @@ import FreeCAD
 from pnsurfaces.edge_chain import CONFUSION
 from pnsurfaces.feature_inputs import agree, read_inputs
 from pnsurfaces.kernel import KernelMissing
-from pnsurfaces.shape import own_shape, solid_of_sections, storage_loss, surface_of_sections
+from pnsurfaces.shape import (
+    measured,
+    own_shape,
+    solid_of_sections,
+    storage_loss,
+    surface_of_sections,
+)
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 # The choice of Sides that makes one surface, and that of Output whose two surfaces are a wall.
 ONE_SIDE = "Offset"
+TWO_OFFSETS = "Two offsets"
 SOLID = "Solid"
 
 # The distances that each choice shows, the smallest first.
 SIDES = {
-    ONE_SIDE: lambda distance: [distance],
-    "Base and offset": lambda distance: sorted({0.0, distance}),
-    "Both sides": lambda distance: sorted({-distance, distance}),
+    ONE_SIDE: lambda distance, second: [distance],
+    "Base and offset": lambda distance, second: sorted({0.0, distance}),
+    "Both sides": lambda distance, second: sorted({-distance, distance}),
+    TWO_OFFSETS: lambda distance, second: sorted({distance, second}),
 }
 
-OUTPUTS = {"Surface": surface_of_sections, SOLID: solid_of_sections}
+OUTPUTS = ["Surface", SOLID]
 
 # What the user chooses, and what the kernel calls it.
 PARAMETER_LINES = {"Even": "even", "Lowest degree": "lowest_degree"}
@@ -92,9 +100,12 @@ OFFSET_INPUTS = (
     Property("App::PropertyEnumeration", "Sides", "Offset",
              QT_TRANSLATE_NOOP("App::Property", "The surfaces that are made"),
              list(SIDES)),
+    Property("App::PropertyDistance", "SecondDistance", "Offset",
+             QT_TRANSLATE_NOOP("App::Property",
+                               "Signed distance of the other one of two offsets")),
     Property("App::PropertyEnumeration", "Output", "Offset",
              QT_TRANSLATE_NOOP("App::Property", "Open surfaces, or a solid with closed ends"),
-             list(OUTPUTS)),
+             OUTPUTS),
     Property("App::PropertyEnumeration", "ParameterLines", "Offset",
              QT_TRANSLATE_NOOP("App::Property",
                                "Smooth faces with even parameter lines, or the lowest degree"),
@@ -117,6 +128,14 @@ RESULTS = (
     result("App::PropertyString", "TrimDeviation",
            QT_TRANSLATE_NOOP("App::Property",
                              "Measured distance of the cut edges from the surface")),
+    result("App::PropertyArea", "Area",
+           QT_TRANSLATE_NOOP("App::Property", "Area of all faces, by integration")),
+    result("App::PropertyString", "AreaError",
+           QT_TRANSLATE_NOOP("App::Property", "Estimated error of the area")),
+    result("App::PropertyVolume", "Volume",
+           QT_TRANSLATE_NOOP("App::Property", "Volume of a solid, by integration")),
+    result("App::PropertyString", "VolumeError",
+           QT_TRANSLATE_NOOP("App::Property", "Estimated error of the volume")),
     result("App::PropertyBool", "Exact",
            QT_TRANSLATE_NOOP("App::Property", "Whether only rounding to doubles deviates")),
     result("App::PropertyStringList", "Notes",
@@ -158,6 +177,10 @@ class FeatureBase:
         """The sections of the surface at distance 0 that are shown, the innermost first."""
         return [surface.offset(distance) for distance in shown_distances(inputs)]
 
+    def solid(self, inputs, sections):
+        """The solid inside one section or between two: lists of faces, the innermost first."""
+        return solid_of_sections(sections)
+
     def inputs_of(self, obj):
         """The FeatureInputs of now. All the rest of a computation needs no document."""
         return read_inputs(obj, [entry.name for entry in (*self.inputs, *OFFSET_INPUTS)])
@@ -169,8 +192,8 @@ class FeatureBase:
     def outcome(self, inputs, base):
         """The shape and the values of the result properties, by name, in any thread."""
         sections = self._sections(inputs, base)
-        shape = OUTPUTS[inputs.Output](sections.faces)
-        return shape, {**_results(*sections), **base.results}
+        shape = self._shape(inputs, sections)
+        return shape, {**_results(*sections), **measured(shape), **base.results}
 
     def exact_sections(self, obj):
         """The Sections of the present inputs, whatever the shape shows."""
@@ -201,6 +224,11 @@ class FeatureBase:
         if obj.Status != VALID:
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {obj.Status}\n")
 
+    def onChanged(self, obj, name):
+        # While a document is read, other properties may not be there yet.
+        if name == "Sides" and not obj.Document.Restoring:
+            _show_second_distance(obj)
+
     def onDocumentRestored(self, obj):
         """Adds the properties that the saving program did not know, and the digits it cut."""
         self._add_missing_properties(obj)
@@ -217,6 +245,11 @@ class FeatureBase:
             base, surfaces, faces, [surface.certificate_of(lines) for surface in surfaces]
         )
 
+    def _shape(self, inputs, sections):
+        if inputs.Output == SOLID:
+            return self.solid(inputs, sections.faces)
+        return surface_of_sections(sections.faces)
+
     def _computed(self, obj):
         inputs = self.inputs_of(obj)
         return self.outcome(inputs, self.base(inputs))
@@ -224,7 +257,7 @@ class FeatureBase:
     def _restore_digits(self, obj):
         """Replaces a shape that lost digits in the file by the exact one, and no other shape."""
         try:
-            exact, _ = self._computed(obj)
+            exact = self._shape(self.inputs_of(obj), self.exact_sections(obj))
         except (ValueError, KernelMissing):
             return  # Nothing to compare with: the stored shape stays, as after a failed recompute.
         if 0 < storage_loss(own_shape(obj), exact) <= STORED_RESOLUTION:
@@ -251,6 +284,7 @@ class FeatureBase:
             elif entry.type == "App::PropertyEnumeration":
                 _offer_all_choices(obj, entry)
         obj.SchemaVersion = self.schema_version
+        _show_second_distance(obj)
 
 
 def _offer_all_choices(obj, entry):
@@ -288,14 +322,24 @@ def show_only(obj, shown, names):
         obj.setEditorMode(name, _SHOWN if name in shown else _HIDDEN)
 
 
+def _show_second_distance(obj):
+    shown = {"SecondDistance"} if obj.Sides == TWO_OFFSETS else set()
+    show_only(obj, shown, ["SecondDistance"])
+
+
 def deviation_text(deviation):
     """A distance in millimetres as text: the property editor would show a length as 0.00 mm."""
     return f"{deviation:.1e} mm" if deviation else "0 mm"
 
 
+def distances_of(inputs):
+    """The distances that the choice of sides stands for, the smallest first."""
+    return SIDES[inputs.Sides](inputs.Distance.Value, inputs.SecondDistance.Value)
+
+
 def shown_distances(inputs):
-    """The distances of the surfaces that are shown, the smallest first."""
-    distances = SIDES[inputs.Sides](inputs.Distance.Value)
+    """The same, of surfaces or of a wall that has a thickness."""
+    distances = distances_of(inputs)
     thickness = distances[-1] - distances[0]
     if inputs.Output == SOLID and inputs.Sides != ONE_SIDE and thickness <= CONFUSION:
         raise ValueError(f"The wall would be {thickness:.2g} mm thick. Give it a distance.")

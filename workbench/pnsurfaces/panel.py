@@ -9,7 +9,7 @@ import FreeCADGui
 from pnsurfaces import resources
 from pnsurfaces.compat import QtGui, QtWidgets, connect
 from pnsurfaces.distance_handle import DistanceHandle
-from pnsurfaces.feature import SIDES
+from pnsurfaces.feature import SOLID, TWO_OFFSETS, distances_of
 from pnsurfaces.limits_bar import LimitsBar
 from pnsurfaces.preview import Preview
 from pnsurfaces.singular_marks import SingularMarks
@@ -48,7 +48,7 @@ class TaskPanel:
         """`inputs` is the form with the inputs of this kind of surface."""
         self.feature = feature
         self._result = load_form("result")
-        offset = load_form("offset")
+        self._offset = offset = load_form("offset")
         self.limits = LimitsBar()
         offset.layout().insertRow(_ROW_OF_LIMITS, self.limits)
         self.form = [inputs, offset, self._result]
@@ -67,6 +67,9 @@ class TaskPanel:
             form.setWindowIcon(icon)
         for form in self.form[:-1]:
             self._bind(form)
+        for combo_box in (self._offset.Sides, self._offset.Output):
+            connect(combo_box, "currentTextChanged(QString)", self._show_rows_of_offset)
+        self._show_rows_of_offset()
         self.show_result()
         self._preview.prepare()
 
@@ -139,13 +142,21 @@ class TaskPanel:
             for widget in form.findChildren(QtWidgets.QWidget):
                 widget.blockSignals(True)
 
+    def _show_rows_of_offset(self):
+        """Shows the second distance of two offsets, and the caps of a solid that can have them."""
+        has_second = self.feature.Sides == TWO_OFFSETS
+        has_caps = "Caps" in self.feature.PropertiesList and self.feature.Output == SOLID
+        for widget in (self._offset.second_distance_label, self._offset.SecondDistance):
+            widget.setVisible(has_second)
+        for widget in (self._offset.caps_label, self._offset.Caps):
+            widget.setVisible(has_caps)
+
     def _limits(self):
         return self.feature.MinOffset.Value, self.feature.MaxOffset.Value
 
     def _show_distance(self):
-        distance = self.feature.Distance.Value
-        self.limits.show_distances(SIDES[self.feature.Sides](distance), *self._limits())
-        self._handle.follow(distance)
+        self.limits.show_distances(distances_of(self.feature), *self._limits())
+        self._handle.follow(self.feature.Distance.Value)
         if "Distance" in dict(self.feature.ExpressionEngine):
             self._handle.hide()
         else:
@@ -289,6 +300,8 @@ def literal(value):
 def _display(value):
     if isinstance(value, bool):
         return translate("PNSurfaces", "Yes") if value else translate("PNSurfaces", "No")
+    if isinstance(value, FreeCAD.Units.Quantity):
+        return value.UserString if value else translate("PNSurfaces", "none")
     return str(value)
 
 

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import FreeCAD
 
 from pnsurfaces.compat import QtCore, connect
-from pnsurfaces.feature import SIDES
+from pnsurfaces.feature import distances_of
 from pnsurfaces.kernel import KernelMissing
 from pnsurfaces.latest_computation import LatestComputation
 from pnsurfaces.section_mesh import section_mesh
@@ -151,8 +151,7 @@ class Preview:
     def _draw(self, made):
         """Draws the surface at the present distance, if it is known."""
         if made:
-            distances = SIDES[self._feature.Sides](self._feature.Distance.Value)
-            self._sketch.show(made.mesh, distances)
+            self._sketch.show(made.mesh, distances_of(self._feature))
 
     def _rest(self):
         for timer in (self._pause, self._polling, self._patience):

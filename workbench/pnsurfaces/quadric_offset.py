@@ -137,6 +137,7 @@ class QuadricOffset(FeatureBase):
         return Base(surface, results={"Recognised": "", "FaceDeviation": ""})
 
     def onChanged(self, obj, name):
+        super().onChanged(obj, name)
         # While a document is read, other properties may not be there yet.
         if name in ("Kind", "Region") and not obj.Document.Restoring:
             show_only(obj, shown_inputs(obj), CHANGING)

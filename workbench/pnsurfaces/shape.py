@@ -5,16 +5,11 @@
 first; corresponding faces have the same parameters.
 """
 
-from collections import Counter
-
 import FreeCAD
 import numpy as np
 import Part
 
 from pnsurfaces import kernel
-
-# A wall and its face have the same curve, each within some 1e-9 mm of it. Nothing else is as near.
-_SEWING_TOLERANCE = 1e-6
 
 
 def surface_of_sections(sections):
@@ -27,11 +22,43 @@ def solid_of_sections(sections):
 
     Sections of several parts give a compound of solids.
     """
-    if len(sections) == 1:
-        return part_shape(kernel.pnocct().capped_solid(sections[0]))
-    if any(face.trims for faces in sections for face in faces):
-        return _together([_joined_by_walls(*pair) for pair in zip(*map(_shells, sections))])
-    return part_shape(kernel.pnocct().thick_solid(*sections))
+    kind = "capped_solid" if len(sections) == 1 else "thick_solid"
+    return part_shape(getattr(kernel.pnocct(), kind)(*sections))
+
+
+def domed_solid_of_sections(sections):
+    """The same with ends closed by the spheres that touch the surfaces there."""
+    kind = "domed_solid" if len(sections) == 1 else "domed_thick_solid"
+    return part_shape(getattr(kernel.pnocct(), kind)(*sections))
+
+
+def uncapped_solid_of_sections(sections):
+    """The solid between two sections, closed by normals, or inside one that has no open end.
+
+    Raises ValueError when it has one.
+    """
+    if len(sections) == 1 and not all(shell.isClosed() for shell in _shells(sections[0])):
+        raise ValueError(
+            "Without caps the pipe has open ends and encloses no solid. Choose flat or spherical"
+            " caps, two sides, or a surface."
+        )
+    return solid_of_sections(sections)
+
+
+def measured(shape):
+    """Area of a shape and volume of its solids, with estimates of their errors.
+
+    They are the values of result properties, by name. A shape without a solid has no volume.
+    """
+    brep = shape.exportBrepToString()
+    area, area_error = kernel.pnocct().measured_area(brep)
+    volume, volume_error = kernel.pnocct().measured_volume(brep) if shape.Solids else (0.0, None)
+    return {
+        "Area": area,
+        "AreaError": f"{area_error:.1e} mm^2",
+        "Volume": volume,
+        "VolumeError": "" if volume_error is None else f"{volume_error:.1e} mm^3",
+    }
 
 
 def own_shape(obj):
@@ -48,25 +75,6 @@ def storage_loss(stored, exact):
         return np.inf
     pairs = zip(map(_poles, stored_faces), map(_poles, exact_faces))
     return max((_difference(a, b) for a, b in pairs), default=np.inf)
-
-
-def _joined_by_walls(inner, outer):
-    """The solid between two open shells of trimmed faces, which pnocct does not join.
-
-    Edges of the same place correspond: both shells come from the same parameters.
-    """
-    pairs = zip(_free_edges(inner), _free_edges(outer))
-    walls = [Part.makeRuledSurface(*pair) for pair in pairs]
-    shell = Part.Compound([*inner.Faces, *outer.Faces, *walls])
-    shell.sewShape(_SEWING_TOLERANCE)
-    return Part.makeSolid(shell)
-
-
-def _free_edges(shell):
-    """The edges of one face only, in the order of the faces."""
-    edges = [edge for face in shell.Faces for edge in face.Edges if not edge.Degenerated]
-    uses = Counter(edge.hashCode() for edge in edges)
-    return [edge for edge in edges if uses[edge.hashCode()] == 1]
 
 
 def _poles(face):

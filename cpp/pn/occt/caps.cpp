@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/occt/caps.hpp"
 
-#include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
-#include <ShapeAnalysis_FreeBounds.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
-#include <TopoDS_Face.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <gp_Pln.hxx>
@@ -21,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "pn/occt/free_boundary.hpp"
 #include "pn/occt/occt_error.hpp"
 
 namespace pn {
@@ -101,44 +99,10 @@ TopoDS_Face cap(const TopoDS_Wire& boundary) {
   return face;
 }
 
-// The closed free boundaries of a shell, each in the direction in which a cap runs it, which is
-// against the shell's own faces.
-std::vector<TopoDS_Wire> free_boundaries(const TopoDS_Shell& shell) {
-  const ShapeAnalysis_FreeBounds bounds(shell);
-  if (TopExp_Explorer(bounds.GetOpenWires(), TopAbs_WIRE).More()) {
-    throw std::invalid_argument("A free boundary of the shell is not closed.");
-  }
-  std::vector<TopoDS_Wire> wires;
-  for (TopExp_Explorer wire(bounds.GetClosedWires(), TopAbs_WIRE); wire.More(); wire.Next()) {
-    wires.push_back(TopoDS::Wire(wire.Current().Reversed()));
-  }
-  return wires;
-}
-
-// Adds the faces of `shell` as they are, so that the shell itself stays open.
-TopoDS_Shell capped(const TopoDS_Shell& shell) {
-  const BRep_Builder builder;
-  TopoDS_Shell result;
-  builder.MakeShell(result);
-  for (TopExp_Explorer face(shell, TopAbs_FACE); face.More(); face.Next()) {
-    builder.Add(result, face.Current());
-  }
-  for (const TopoDS_Wire& boundary : free_boundaries(shell)) builder.Add(result, cap(boundary));
-  result.Closed(BRep_Tool::IsClosed(result));
-  return result;
-}
-
 }  // namespace
 
 TopoDS_Solid make_capped_solid(const TopoDS_Shell& shell) {
-  return with_occt_errors([&] {
-    const BRep_Builder builder;
-    TopoDS_Solid solid;
-    builder.MakeSolid(solid);
-    builder.Add(solid, capped(shell));
-    BRepLib::OrientClosedSolid(solid);
-    return solid;
-  });
+  return with_occt_errors([&] { return solid_inside(closed_by(cap, shell)); });
 }
 
 }  // namespace pn

@@ -35,9 +35,13 @@ constexpr int kGaussPoints = 10;
 constexpr int kKronrodPoints = 21;
 constexpr double kAgreement = 1e-10;
 
-// Halvings of a stretch. Only where a normal vanishes inside a face are they used up; the last
-// stretches are then too short to matter.
-constexpr int kHalvings = 12;
+// The part of the whole way below which a stretch is not halved any more. Only where a normal
+// vanishes inside a face does it come to that, and where two cuts nearly coincide, so that rounding
+// is all that is left of the integrand; what such a stretch adds is too little to matter.
+constexpr double kShortest = 1e-6;
+
+// No stretch is halved.
+constexpr double kWhole = 1;
 
 // A p-curve is searched for crossings of the knot lines of its surface in this many steps between
 // its own knots. Two crossings inside one step would cost accuracy, not correctness.
@@ -78,9 +82,10 @@ struct GaussKronrodRule {
   math_Vector gauss_weights;
 };
 
-// Integral of f, which gives Sums, from a to b, also where a > b.
+// Integral of f, which gives Sums, from a to b, also where a > b. Stretches are halved down to
+// `shortest`, and never beyond neighbouring doubles.
 template <class Function>
-Sum integral(const Function& f, double a, double b, int halvings) {
+Sum integral(const Function& f, double a, double b, double shortest) {
   if (a == b) return {};
   static const GaussKronrodRule rule;
   const double middle = (a + b) / 2;
@@ -93,25 +98,29 @@ Sum integral(const Function& f, double a, double b, int halvings) {
   }
   const double difference = std::abs(kronrod.value - gauss.value);
   const bool has_settled = difference <= kAgreement * kronrod.size;
-  if (halvings == 0 || has_settled) {
+  const bool is_short = std::abs(half) < shortest || middle == a || middle == b;
+  if (is_short || has_settled) {
     if (difference > 0) {
       kronrod.error += has_settled ? difference * std::sqrt(difference / kronrod.size) : difference;
     }
     return half * kronrod;
   }
-  Sum sum = integral(f, a, middle, halvings - 1);
-  return sum += integral(f, middle, b, halvings - 1);
+  Sum sum = integral(f, a, middle, shortest);
+  return sum += integral(f, middle, b, shortest);
 }
 
-// The same, split at `cuts` between a and b, in this order.
+// The same, split at `cuts` between a and b, in this order, the shortest stretch being a part of
+// the whole way.
 template <class Function>
-Sum integral(const Function& f, double a, const std::vector<double>& cuts, double b, int halvings) {
+Sum integral(const Function& f, double a, const std::vector<double>& cuts, double b,
+             double shortest_part) {
+  const double shortest = shortest_part * std::abs(b - a);
   Sum sum;
   for (const double cut : cuts) {
-    sum += integral(f, a, cut, halvings);
+    sum += integral(f, a, cut, shortest);
     a = cut;
   }
-  return sum += integral(f, a, b, halvings);
+  return sum += integral(f, a, b, shortest);
 }
 
 std::vector<double> u_breaks(const GeomAdaptor_Surface& surface) {
@@ -188,7 +197,7 @@ class Domain {
 
   // Integral of density(S, S_u x S_v), which gives Sums, over u and v.
   template <class Density>
-  Sum integral_of(const Density& density, int halvings) const {
+  Sum integral_of(const Density& density, double shortest_part) const {
     const double u0 = boundary_.front().curve.Value(boundary_.front().cuts.front()).X();
     const auto strip = [&](double u, double v) {
       const auto at = [&](double s) {
@@ -197,7 +206,7 @@ class Domain {
         surface_.D1(s, v, point, s_u, s_v);
         return density(point, s_u.Crossed(s_v));
       };
-      return integral(at, u0, u_knots_.passed(u0, u), u, halvings);
+      return integral(at, u0, u_knots_.passed(u0, u), u, shortest_part);
     };
     Sum sum;
     for (const BoundaryCurve& piece : boundary_) {
@@ -209,7 +218,7 @@ class Domain {
         return step.Y() == 0 ? Sum{} : step.Y() * strip(uv.X(), uv.Y());
       };
       const std::vector<double> inner(piece.cuts.begin() + 1, piece.cuts.end() - 1);
-      sum += piece.sign * integral(at, piece.cuts.front(), inner, piece.cuts.back(), halvings);
+      sum += piece.sign * integral(at, piece.cuts.front(), inner, piece.cuts.back(), shortest_part);
     }
     return sum;
   }
@@ -267,11 +276,11 @@ class Domain {
   std::vector<BoundaryCurve> boundary_;
 };
 
-Sum area_of(const TopoDS_Face& face, int halvings) {
+Sum area_of(const TopoDS_Face& face, double shortest_part) {
   const auto size = [](const gp_Pnt&, const gp_Vec& normal) {
     return Sum{normal.Magnitude(), normal.Magnitude()};
   };
-  return Domain(face).integral_of(size, halvings);
+  return Domain(face).integral_of(size, shortest_part);
 }
 
 // Volume of the cone from `apex` over a face, negative where the face points towards it.
@@ -281,7 +290,7 @@ Sum volume_below(const TopoDS_Face& face, const gp_Pnt& apex) {
     const gp_Vec ray(apex, point);
     return Sum{ray.Dot(normal), ray.Magnitude() * normal.Magnitude()};
   };
-  return domain.sign() / 3 * domain.integral_of(cone, kHalvings);
+  return domain.sign() / 3 * domain.integral_of(cone, kShortest);
 }
 
 // Volume inside a closed shell. An apex on the shell keeps the cones small.
@@ -307,10 +316,10 @@ Sum volume_of_closed_shells(const TopoDS_Shape& shape) {
   return sum;
 }
 
-Sum area_of_faces(const TopoDS_Shape& shape, int halvings = kHalvings) {
+Sum area_of_faces(const TopoDS_Shape& shape, double shortest_part = kShortest) {
   Sum sum;
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
-    sum += area_of(TopoDS::Face(face.Current()), halvings);
+    sum += area_of(TopoDS::Face(face.Current()), shortest_part);
   }
   return sum;
 }
@@ -343,7 +352,7 @@ double area(const TopoDS_Shape& shape) {
 }
 
 double area_by_one_rule(const TopoDS_Shape& shape) {
-  return with_occt_errors([&] { return area_of_faces(shape, 0).value; });
+  return with_occt_errors([&] { return area_of_faces(shape, kWhole).value; });
 }
 
 Measure measured_volume(const TopoDS_Shape& shape) {

@@ -39,6 +39,29 @@ Handle(Geom_BSplineCurve) to_geometry(const BoundaryCurve& curve) {
                                curve.degree);
 }
 
+// A curve of OpenCASCADE as plain data.
+BoundaryCurve from_geometry(const Geom_BSplineCurve& geometry) {
+  BoundaryCurve curve{geometry.Degree(), {}, {}, {}, {}};
+  for (int k = 1; k <= geometry.NbKnots(); ++k) {
+    curve.knots.push_back(geometry.Knot(k));
+    curve.multiplicities.push_back(geometry.Multiplicity(k));
+  }
+  for (int i = 1; i <= geometry.NbPoles(); ++i) {
+    curve.poles.push_back(coordinates(geometry.Pole(i)));
+    curve.weights.push_back(geometry.Weight(i));
+  }
+  return curve;
+}
+
+// The part of a curve between two parameters.
+Handle(Geom_BSplineCurve)
+    segment(const Handle(Geom_BSplineCurve) & whole, double first, double last) {
+  if (first == whole->FirstParameter() && last == whole->LastParameter()) return whole;
+  const auto part = Handle(Geom_BSplineCurve)::DownCast(whole->Copy());
+  part->Segment(first, last);
+  return part;
+}
+
 // The straight p-curve from `start` at the parameter `first` to `end` at `last`; both points agree
 // in one coordinate. OpenCASCADE knows a Geom2d_Line for isoparametric, but it runs at unit speed
 // only.
@@ -86,20 +109,55 @@ std::size_t SharedVertices::root(std::size_t vertex) const {
   return vertex;
 }
 
-FaceBoundary SharedEdges::add(const BSplineSurface& surface,
-                              const Handle(Geom_BSplineSurface) & geometry) {
-  const std::vector<BoundaryLoop> loops = boundary_loops(surface);
+std::vector<Run> runs(const FaceBoundary& boundary) {
+  std::vector<Run> result;
+  for (const auto& loop : boundary) result.insert(result.end(), loop.begin(), loop.end());
+  return result;
+}
+
+std::vector<TrimImages> trim_images(const BSplineSurface& face,
+                                    const std::vector<Handle(Geom_BSplineSurface)>& surfaces) {
+  std::vector<TrimImages> result(surfaces.size());
+  for (const BoundaryLoop& loop : boundary_loops(face)) {
+    for (const BoundaryPiece& piece : loop) {
+      const auto* trim = std::get_if<ParameterCurve>(&piece);
+      if (!trim) continue;
+      const TrimImages images = curves_on_surfaces(pn::to_geometry(*trim), surfaces);
+      for (std::size_t i = 0; i < images.size(); ++i) result[i].push_back(images[i]);
+    }
+  }
+  return result;
+}
+
+FaceBoundary SharedEdges::add(const BSplineSurface& surface, const TrimImages& images) {
   Corners corners;
   FaceBoundary boundary;
-  for (const BoundaryLoop& loop : loops) {
+  auto image = images.begin();
+  for (const BoundaryLoop& loop : boundary_loops(surface)) {
     auto& runs = boundary.emplace_back();
     for (const BoundaryPiece& piece : loop) {
       const auto* side = std::get_if<SidePiece>(&piece);
       runs.push_back(side ? run_side(*side, corners)
-                          : run_trim(std::get<ParameterCurve>(piece), geometry, corners));
+                          : run_trim(std::get<ParameterCurve>(piece), *image++, corners));
     }
   }
   return boundary;
+}
+
+bool SharedEdges::is_degenerate(std::size_t edge) const { return edges_[edge].curve.IsNull(); }
+
+const Point& SharedEdges::start_of(std::size_t edge) const {
+  return vertices_.point(edges_[edge].start);
+}
+
+BoundaryCurve SharedEdges::side_along(std::size_t edge) {
+  const Edge& e = edges_[edge];
+  BoundaryCurve curve = from_geometry(*segment(e.curve, e.first, e.last));
+  curve.poles.front() = vertices_.point(e.start);
+  curve.poles.back() = vertices_.point(e.end);
+  const SidePiece piece{curve, e.first, e.last, {}, {}, true};
+  sides_with_poles_.emplace(curve.poles, SharedSide{piece, edge});
+  return curve;
 }
 
 Run SharedEdges::run_side(const SidePiece& piece, Corners& corners) {
@@ -118,20 +176,18 @@ Run SharedEdges::run_along(std::size_t edge, const SidePiece& piece, Corners& co
           straight_p_curve(piece.start, piece.end, e.first, e.last), e.first, e.last};
 }
 
-Run SharedEdges::run_trim(const ParameterCurve& trim, const Handle(Geom_BSplineSurface) & geometry,
+Run SharedEdges::run_trim(const ParameterCurve& trim, const Handle(Geom_BSplineCurve) & image,
                           Corners& corners) {
-  const Handle(Geom2d_BSplineCurve) p_curve = pn::to_geometry(trim);
-  const auto curve = curves_on_surfaces(p_curve, {geometry}).front();
   const auto vertex = [&](const ParameterPoint& corner, const gp_Pnt& end) {
     const std::size_t v = vertices_.at(coordinates(end));
     vertices_.unite(corners.emplace(corner, v).first->second, v);
     return v;
   };
-  edges_.push_back({curve, trim.knots.front(), trim.knots.back(),
-                    vertex(trim.poles.front(), curve->StartPoint()),
-                    vertex(trim.poles.back(), curve->EndPoint())});
-  return {edges_.size() - 1, TopAbs_FORWARD, Handle(Geom2d_Curve)(p_curve), trim.knots.front(),
-          trim.knots.back()};
+  const double first = trim.knots.front();
+  const double last = trim.knots.back();
+  edges_.push_back({image, first, last, vertex(trim.poles.front(), image->StartPoint()),
+                    vertex(trim.poles.back(), image->EndPoint())});
+  return {edges_.size() - 1, TopAbs_FORWARD, pn::to_geometry(trim), first, last};
 }
 
 std::optional<std::size_t> SharedEdges::find(const SidePiece& piece) const {
@@ -145,7 +201,7 @@ std::optional<std::size_t> SharedEdges::find(const SidePiece& piece) const {
 // A degenerate edge has no curve, and every face has its own.
 std::size_t SharedEdges::make(const SidePiece& piece) {
   const auto& [curve, first, last, start, end, rising] = piece;
-  if (is_degenerate(curve)) {
+  if (pn::is_degenerate(curve)) {
     const std::size_t pole = vertices_.at(curve.poles.front());
     edges_.push_back({nullptr, first, last, pole, pole});
     return edges_.size() - 1;

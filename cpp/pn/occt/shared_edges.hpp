@@ -30,6 +30,17 @@ struct Run {
 /// The runs around a face, loop by loop.
 using FaceBoundary = std::vector<std::vector<Run>>;
 
+/// All runs around a face.
+std::vector<Run> runs(const FaceBoundary& boundary);
+
+/// The curves in space along the trims of a face, in the order of its boundary.
+using TrimImages = std::vector<Handle(Geom_BSplineCurve)>;
+
+/// The images of the trims of a face on several surfaces, those of one trim over the same knots:
+/// one TrimImages for each surface (curve_on_surface.hpp).
+std::vector<TrimImages> trim_images(const BSplineSurface& face,
+                                    const std::vector<Handle(Geom_BSplineSurface)>& surfaces);
+
 /// Vertices of edges that are found to be one become one.
 class SharedVertices {
  public:
@@ -60,8 +71,22 @@ class SharedVertices {
 ///   that are equal bit for bit. The vertex lies on the side where there is one.
 class SharedEdges {
  public:
-  /// The boundary of one more face; `geometry` is the surface as OpenCASCADE has it.
-  FaceBoundary add(const BSplineSurface& surface, const Handle(Geom_BSplineSurface) & geometry);
+  /// The boundary of one more face, with the images of its trims.
+  FaceBoundary add(const BSplineSurface& surface, const TrimImages& images);
+
+  /// How many edges there are.
+  std::size_t size() const { return edges_.size(); }
+
+  /// True for a side that is a single point.
+  bool is_degenerate(std::size_t edge) const;
+
+  /// Where an edge begins.
+  const std::array<double, 3>& start_of(std::size_t edge) const;
+
+  /// Makes an edge the side of a further face: a curve that covers it from vertex to vertex, and by
+  /// which `add` finds the edge. Both curves have the same points but for rounding. The edge may
+  /// not be degenerate.
+  BoundaryCurve side_along(std::size_t edge);
 
   /// All edges collected, by their numbers, with their vertices and without p-curves.
   std::vector<TopoDS_Edge> topology() const;
@@ -82,7 +107,7 @@ class SharedEdges {
   using Corners = std::map<std::array<double, 2>, std::size_t>;
 
   Run run_side(const SidePiece& piece, Corners& corners);
-  Run run_trim(const ParameterCurve& trim, const Handle(Geom_BSplineSurface) & geometry,
+  Run run_trim(const ParameterCurve& trim, const Handle(Geom_BSplineCurve) & image,
                Corners& corners);
   Run run_along(std::size_t edge, const SidePiece& piece, Corners& corners);
   std::optional<std::size_t> find(const SidePiece& piece) const;

@@ -20,8 +20,6 @@
 namespace pn {
 namespace {
 
-using SurfaceHandle = Handle(Geom_BSplineSurface);
-
 // OpenCASCADE reads every smaller tolerance as this one, in millimetres.
 const double kTolerance = Precision::Confusion();
 
@@ -35,19 +33,13 @@ struct EdgeUse {
   TopAbs_Orientation orientation;
 };
 
-// All runs around a face.
-std::vector<Run> runs(const FaceBoundary& boundary) {
-  std::vector<Run> result;
-  for (const auto& loop : boundary) result.insert(result.end(), loop.begin(), loop.end());
-  return result;
-}
-
 // The uses of every edge.
-std::vector<std::vector<EdgeUse>> edge_uses(const std::vector<FaceBoundary>& faces,
+std::vector<std::vector<EdgeUse>> edge_uses(const std::vector<BoundedSurface>& faces,
                                             std::size_t edge_count) {
   std::vector<std::vector<EdgeUse>> uses(edge_count);
   for (std::size_t face = 0; face < faces.size(); ++face) {
-    for (const Run& run : runs(faces[face])) uses[run.edge].push_back({face, run.orientation});
+    for (const Run& run : runs(faces[face].boundary))
+      uses[run.edge].push_back({face, run.orientation});
   }
   for (const auto& use : uses) {
     if (use.size() > 2) throw std::invalid_argument("More than two faces meet at one edge.");
@@ -60,13 +52,13 @@ using Part = std::map<std::size_t, TopAbs_Orientation>;
 
 // The faces that hang together with `first`, which is forward, such that neighbours run their
 // common edge in opposite directions. Walks from face to face over the edges.
-Part part_around(std::size_t first, const std::vector<FaceBoundary>& faces,
+Part part_around(std::size_t first, const std::vector<BoundedSurface>& faces,
                  const std::vector<std::vector<EdgeUse>>& uses) {
   Part part = {{first, TopAbs_FORWARD}};
   std::vector<std::size_t> reached = {first};
   for (std::size_t next = 0; next < reached.size(); ++next) {
     const std::size_t face = reached[next];
-    for (const Run& run : runs(faces[face])) {
+    for (const Run& run : runs(faces[face].boundary)) {
       const auto& use = uses[run.edge];
       if (use.size() < 2) continue;
       const std::size_t neighbour = use[0].face == face ? use[1].face : use[0].face;
@@ -83,7 +75,7 @@ Part part_around(std::size_t first, const std::vector<FaceBoundary>& faces,
 }
 
 // Every face belongs to one part.
-std::vector<Part> separate_parts(const std::vector<FaceBoundary>& faces,
+std::vector<Part> separate_parts(const std::vector<BoundedSurface>& faces,
                                  const std::vector<std::vector<EdgeUse>>& uses) {
   std::vector<Part> parts;
   for (std::size_t face = 0; face < faces.size(); ++face) {
@@ -118,13 +110,12 @@ void add_p_curves(const TopoDS_Face& face, const FaceBoundary& boundary,
   }
 }
 
-TopoDS_Face make_face(const SurfaceHandle& surface, const FaceBoundary& boundary,
-                      const std::vector<TopoDS_Edge>& edges) {
+TopoDS_Face make_face(const BoundedSurface& bounded, const std::vector<TopoDS_Edge>& edges) {
   const BRep_Builder builder;
   TopoDS_Face face;
-  builder.MakeFace(face, surface, kTolerance);
-  add_p_curves(face, boundary, edges);
-  for (const std::vector<Run>& loop : boundary) {
+  builder.MakeFace(face, bounded.geometry, kTolerance);
+  add_p_curves(face, bounded.boundary, edges);
+  for (const std::vector<Run>& loop : bounded.boundary) {
     TopoDS_Wire wire;
     builder.MakeWire(wire);
     for (const Run& run : loop) builder.Add(wire, edges[run.edge].Oriented(run.orientation));
@@ -144,30 +135,37 @@ TopoDS_Shell shell_of(const std::vector<TopoDS_Face>& faces) {
   return shell;
 }
 
-std::vector<TopoDS_Shell> build_shells(const std::vector<BSplineSurface>& surfaces) {
-  // P-curves belong to a surface handle: every face has its own.
-  std::vector<SurfaceHandle> geometries;
-  for (const BSplineSurface& surface : surfaces) geometries.push_back(to_geometry(surface));
-  SharedEdges shared;
-  std::vector<FaceBoundary> boundaries;
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    boundaries.push_back(shared.add(surfaces[i], geometries[i]));
-  }
+std::vector<TopoDS_Shell> build_shells(const SharedEdges& shared,
+                                       const std::vector<BoundedSurface>& bounded) {
   const std::vector<TopoDS_Edge> edges = shared.topology();
-
   std::vector<TopoDS_Shell> shells;
-  for (const Part& part : separate_parts(boundaries, edge_uses(boundaries, edges.size()))) {
+  for (const Part& part : separate_parts(bounded, edge_uses(bounded, edges.size()))) {
     std::vector<TopoDS_Face> faces;
     for (const auto& [i, orientation] : part) {
-      const TopoDS_Face face = make_face(geometries[i], boundaries[i], edges);
-      faces.push_back(TopoDS::Face(face.Oriented(orientation)));
+      faces.push_back(TopoDS::Face(make_face(bounded[i], edges).Oriented(orientation)));
     }
     shells.push_back(shell_of(faces));
   }
   return shells;
 }
 
+std::vector<TopoDS_Shell> build_shells(const std::vector<BSplineSurface>& surfaces) {
+  SharedEdges edges;
+  std::vector<BoundedSurface> faces;
+  for (const BSplineSurface& surface : surfaces) {
+    const auto geometry = to_geometry(surface);
+    const TrimImages images = trim_images(surface, {geometry}).front();
+    faces.push_back({geometry, edges.add(surface, images)});
+  }
+  return build_shells(edges, faces);
+}
+
 }  // namespace
+
+std::vector<TopoDS_Shell> make_shells(const SharedEdges& edges,
+                                      const std::vector<BoundedSurface>& faces) {
+  return with_occt_errors([&] { return build_shells(edges, faces); });
+}
 
 std::vector<TopoDS_Shell> make_shells(const std::vector<BSplineSurface>& surfaces) {
   if (surfaces.empty()) throw std::invalid_argument("A shell needs at least one surface.");

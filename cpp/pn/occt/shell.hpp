@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pn/bezier/bspline_surface.hpp"
+#include "pn/occt/shared_edges.hpp"
 
 namespace pn {
 
@@ -35,5 +36,15 @@ std::vector<TopoDS_Shell> make_shells(const std::vector<BSplineSurface>& surface
 ///
 /// Throws std::invalid_argument when they do not, and as make_shells does.
 TopoDS_Shell make_shell(const std::vector<BSplineSurface>& surfaces);
+
+/// A surface of OpenCASCADE, its own and no other's, and the boundary of a face on it.
+struct BoundedSurface {
+  Handle(Geom_BSplineSurface) geometry;
+  FaceBoundary boundary;
+};
+
+/// The shells, as above, of faces whose boundaries were collected by `edges`.
+std::vector<TopoDS_Shell> make_shells(const SharedEdges& edges,
+                                      const std::vector<BoundedSurface>& faces);
 
 }  // namespace pn

@@ -22,15 +22,25 @@ namespace pn {
 /// inside `outer`.
 TopoDS_Solid make_thick_solid(const TopoDS_Shell& inner, const TopoDS_Shell& outer);
 
-/// The solid between two shells with as many free sides, each of `inner` with its counterpart at
-/// the same place of `outer`: two offsets of one surface, or two pipes around one spine.
+/// The solids between two surfaces with as many free edges, each of `inner` with its counterpart at
+/// the same place of `outer`: two offsets of one surface, or two pipes around one spine. There is
+/// one solid for each part that hangs together.
 ///
 /// Closed shells make a solid with a void, as above. Open ones are joined by walls, one along every
-/// free side: the ruled surface that joins points of equal parameter, exact, of degree 1 across.
-/// Neighbouring walls share their rulings. The faces come in the order inner, outer, walls.
+/// free edge: the ruled surface that joins points of equal parameter, of degree 1 across. Along
+/// sides a wall is exact; along the same trims of two offsets both of its edges are fitted over the
+/// same knots, to 1e-9 mm, and it is exact between them. Neighbouring walls share their rulings.
+/// The faces of a solid come in the order inner, outer, walls.
 ///
-/// Throws std::invalid_argument when free sides that correspond differ in degree, knots or
-/// multiplicities, when a face of open shells is trimmed, and as make_shell does.
+/// Throws std::invalid_argument when free edges that correspond differ in degree, knots or
+/// multiplicities, as those along different trims do, when one shell is closed and another open,
+/// and as make_shells does.
+std::vector<TopoDS_Solid> make_thick_solids(const std::vector<BSplineSurface>& inner,
+                                            const std::vector<BSplineSurface>& outer);
+
+/// The one solid between two offsets that hang together.
+///
+/// Throws std::invalid_argument when they do not, and as make_thick_solids does.
 TopoDS_Solid make_thick_solid(const std::vector<BSplineSurface>& inner,
                               const std::vector<BSplineSurface>& outer);
 
