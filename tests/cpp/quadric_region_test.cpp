@@ -23,10 +23,10 @@ TracedQuadric saddle() {
   return {{{1, -1, 0}, -0.5, 0, false}, Box(), {unit, unit, unit}, {}};
 }
 
-std::vector<BoundaryLoop> loops_of(const QuadricBounds& bounds,
-                                   const std::vector<Vector3d>& stops = {}) {
+std::vector<RegionLoop> loops_of(const QuadricBounds& bounds,
+                                 const std::vector<Vector3d>& stops = {}) {
   const TracedQuadric quadric = sphere(stops);
-  return boundary_loops(effective_bounds(bounds, quadric), quadric);
+  return region_loops(effective_bounds(bounds, quadric), quadric);
 }
 
 QuadricBounds sector(double low, double high) {
@@ -40,10 +40,10 @@ QuadricBounds box(const Interval& x, const Interval& y, const Interval& z) {
 }
 
 /// Closed, on the sphere, and inside the bounds but for rounding.
-void check_loops(const std::vector<BoundaryLoop>& loops, const QuadricBounds& bounds) {
+void check_loops(const std::vector<RegionLoop>& loops, const QuadricBounds& bounds) {
   QuadricBounds wider = bounds;
   for (Interval& interval : wider.box) interval = {interval.low - 1e-9, interval.high + 1e-9};
-  for (const BoundaryLoop& loop : loops) {
+  for (const RegionLoop& loop : loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       CHECK((loop[i](1) - loop[(i + 1) % loop.size()](0)).norm() < kSamePoint);
       for (const double s : {0.1, 0.5, 0.9}) {
@@ -125,7 +125,7 @@ TEST_CASE("Arcs end at the stops that they pass through", "[quadric_region]") {
   CHECK(loops_of(cap, {beside})[0].size() == 1);
   const auto loops = loops_of(cap, {stop});
   REQUIRE(loops.size() == 1);
-  const BoundaryLoop& loop = loops[0];
+  const RegionLoop& loop = loops[0];
   const bool ends_there = std::any_of(loop.begin(), loop.end(), [&](const auto& arc) {
     return (arc(0) - stop).norm() < kSamePoint;
   });
@@ -177,7 +177,7 @@ TEST_CASE("A region that touches itself is refused", "[quadric_region]") {
   // What two touching caps leave of the sphere is one region; of the saddle, z >= 0 is two wedges.
   CHECK(loops_of(box({-2, 0.8}, {}, {-2, 0.6})).size() == 2);
   const QuadricBounds above = box({-1, 1}, {-1, 1}, {0, 2});
-  CHECK(test::code_of([&] { boundary_loops(above, saddle()); }) == ErrorCode::kRegionUnsupported);
+  CHECK(test::code_of([&] { region_loops(above, saddle()); }) == ErrorCode::kRegionUnsupported);
 }
 
 TEST_CASE("A region too thin to be seen is refused", "[quadric_region]") {
@@ -193,10 +193,10 @@ TEST_CASE("Heights of a saddle cut hyperbolas", "[quadric_region]") {
   const QuadricBounds low = box({-1, 1}, {-1, 1}, {-2, 0.25}),
                       band = box({-1, 1}, {-1, 1}, {-0.5, 0.25});
   // Between the branches; and the four corners that both pairs of branches leave.
-  const auto loops = boundary_loops(low, saddle());
+  const auto loops = region_loops(low, saddle());
   REQUIRE(loops.size() == 1);
   CHECK(loops[0].size() == 8);
-  REQUIRE(boundary_loops(band, saddle()).size() == 1);
+  REQUIRE(region_loops(band, saddle()).size() == 1);
   for (const auto& arc : loops[0]) {
     const Vector3d p = arc(0.5);
     CHECK(p.z() == Approx(p.x() * p.x() - p.y() * p.y()));

@@ -137,6 +137,19 @@ class Offsets(CanalSurfaceTest):
             self.assertTrue(obj.isValid(), obj.getStatusString())
             self.assertRegex(obj.Status, sentence)
 
+    def test_a_pipe_that_meets_itself_is_told(self):
+        loop = Part.BezierCurve()
+        loop.setPoles([Vector(*p) for p in ((0, 0, 0), (70, 60, 0), (-30, 60, 6), (40, 0, 6))])
+        obj = make_canal_surface(self.shape_object(loop.toShape(), "Loop"), 2)
+        self.assert_valid(obj)
+        # Its two legs pass each other 5.4 mm apart.
+        self.assertEqual(obj.Status, "Valid")
+        obj.Distance = 1
+        self.document.recompute()
+        self.assert_valid(obj)
+        self.assertGreater(obj.MaxOffset.Value, 1)
+        self.assertRegex(obj.Status, r"^Warning: At 1 mm the surface crosses itself, at \(18\.")
+
     def test_a_spine_that_starts_at_rest_has_no_regular_distance(self):
         curve = Part.BezierCurve()
         curve.setPoles([Vector(), Vector(), Vector(5, 5, 0), Vector(10, 0, 3)])

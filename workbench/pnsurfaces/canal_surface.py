@@ -132,6 +132,13 @@ class CanalSurface(FeatureBase):
             results={"FitDeviation": deviation_of(fits)},
         )
 
+    def distances(self, inputs):
+        outer = inputs.Distance.Value
+        if inputs.Hollow == WALL:
+            return [outer - inputs.WallThickness.Value, outer]
+        # The bore has a radius of its own.
+        return [outer] if inputs.Hollow == BORE else super().distances(inputs)
+
     def sections(self, obj, surface):
         if obj.Hollow == SOLID_PIPE:
             return super().sections(obj, surface)

@@ -181,6 +181,10 @@ class FeatureBase:
         """The solid inside one section or between two: lists of faces, the innermost first."""
         return solid_of_sections(sections)
 
+    def distances(self, inputs):
+        """The distances of those sections that are drawn while they change, the smallest first."""
+        return distances_of(inputs)
+
     def inputs_of(self, obj):
         """The FeatureInputs of now. All the rest of a computation needs no document."""
         return read_inputs(obj, [entry.name for entry in (*self.inputs, *OFFSET_INPUTS)])
@@ -365,7 +369,11 @@ def _results(base, sections, faces, certificates):
     trim_deviation = max(certificate.trim_deviation for certificate in certificates)
     low, high = base.surface.regular_range
     notes = list(dict.fromkeys(notes))
-    warnings = _irregularities([section.distance for section in sections], low, high) + notes
+    warnings = [
+        *_irregularities([section.distance for section in sections], low, high),
+        *_crossings(sections, low, high),
+        *notes,
+    ]
     u_degree = max(face.u_degree for face in every_face)
     v_degree = max(face.v_degree for face in every_face)
     return {
@@ -389,6 +397,18 @@ def _irregularities(distances, low, high):
     limits = [(d, low if d <= low else high) for d in distances if not low < d < high]
     return [f"At {d:.6g} mm, beyond the limit of {limit:.6g} mm, the surface has singular points."
             for d, limit in limits]
+
+
+def _crossings(sections, low, high):
+    """A sentence for each regular section that crosses itself, as a pipe that meets itself does."""
+    found = [(section.distance, section.self_intersection())
+             for section in sections if low < section.distance < high]
+    return [f"At {d:.6g} mm the surface crosses itself, at ({_coordinates(crossing.point)}) mm."
+            for d, crossing in found if crossing]
+
+
+def _coordinates(point):
+    return ", ".join(f"{coordinate:.6g}" for coordinate in point)
 
 
 def _rounded_up(bound):

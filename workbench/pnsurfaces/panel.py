@@ -9,7 +9,7 @@ import FreeCADGui
 from pnsurfaces import resources
 from pnsurfaces.compat import QtGui, QtWidgets, connect
 from pnsurfaces.distance_handle import DistanceHandle
-from pnsurfaces.feature import SOLID, TWO_OFFSETS, distances_of
+from pnsurfaces.feature import SOLID, TWO_OFFSETS
 from pnsurfaces.limits_bar import LimitsBar
 from pnsurfaces.preview import Preview
 from pnsurfaces.singular_marks import SingularMarks
@@ -155,7 +155,8 @@ class TaskPanel:
         return self.feature.MinOffset.Value, self.feature.MaxOffset.Value
 
     def _show_distance(self):
-        self.limits.show_distances(distances_of(self.feature), *self._limits())
+        distances = self.feature.Proxy.distances(self.feature)
+        self.limits.show_distances(distances, *self._limits())
         self._handle.follow(self.feature.Distance.Value)
         if "Distance" in dict(self.feature.ExpressionEngine):
             self._handle.hide()

@@ -13,7 +13,6 @@ from typing import Any, NamedTuple
 import FreeCAD
 
 from pnsurfaces.compat import QtCore, connect
-from pnsurfaces.feature import distances_of
 from pnsurfaces.kernel import KernelMissing
 from pnsurfaces.latest_computation import LatestComputation
 from pnsurfaces.section_mesh import section_mesh
@@ -151,7 +150,7 @@ class Preview:
     def _draw(self, made):
         """Draws the surface at the present distance, if it is known."""
         if made:
-            self._sketch.show(made.mesh, distances_of(self._feature))
+            self._sketch.show(made.mesh, self._feature.Proxy.distances(self._feature))
 
     def _rest(self):
         for timer in (self._pause, self._polling, self._patience):

@@ -175,18 +175,17 @@ Parametrization by_normals(const OrientedQuadric& quadric,
 }
 
 /// The loops of a region that is not the whole surface.
-std::vector<BoundaryLoop> region_loops(const OrientedQuadric& quadric,
-                                       const QuadricBounds& bounds) {
-  std::vector<BoundaryLoop> loops = boundary_loops(bounds, quadric.traced);
+std::vector<RegionLoop> region_loops(const OrientedQuadric& quadric, const QuadricBounds& bounds) {
+  std::vector<RegionLoop> loops = region_loops(bounds, quadric.traced);
   if (loops.empty()) throw bounds_miss();
   return loops;
 }
 
 BoundedRegion region_of(const OrientedQuadric& quadric, const QuadricBounds& bounds,
-                        const std::vector<BoundaryLoop>& loops,
+                        const std::vector<RegionLoop>& loops,
                         const Parametrization& parametrization) {
   BoundedRegion region;
-  for (const BoundaryLoop& loop : loops) {
+  for (const RegionLoop& loop : loops) {
     region.loops.emplace_back();
     for (const auto& arc : loop) {
       region.loops.back().push_back(
@@ -201,7 +200,7 @@ BoundedRegion region_of(const OrientedQuadric& quadric, const QuadricBounds& bou
   };
   // A pole on the boundary is an end of arcs, whatever rounding says of the bounds there.
   const auto ends_at = [&](const Vector3d& pole) {
-    return std::any_of(loops.begin(), loops.end(), [&](const BoundaryLoop& loop) {
+    return std::any_of(loops.begin(), loops.end(), [&](const RegionLoop& loop) {
       return std::any_of(loop.begin(), loop.end(), [&](const auto& arc) {
         return (arc(0) - pole).norm() <= kSamePoint * quadric.traced.size();
       });
@@ -230,7 +229,7 @@ EnvelopeChain pencil_chain(const std::shared_ptr<const QuadricFamily>& family,
       quadric, [family](const Vector3d&, const Vector3d& n) { return family->parameter(n); });
   const QuadricBounds effective = effective_bounds(bounds, quadric.traced);
   const auto loops =
-      are_none(effective) ? std::vector<BoundaryLoop>{} : region_loops(quadric, effective);
+      are_none(effective) ? std::vector<RegionLoop>{} : region_loops(quadric, effective);
   return chain_of(
       Envelope([family](long precision) { return family->forms(precision); }, "nothing"),
       region_of(quadric, effective, loops, parametrization), std::move(base));
@@ -266,10 +265,10 @@ struct Range {
 constexpr int kHullSamples = 64;
 
 /// The range of a function on the boundary of a region, which holds that inside.
-Range range_on(const std::vector<BoundaryLoop>& loops,
+Range range_on(const std::vector<RegionLoop>& loops,
                const std::function<double(const Vector3d&)>& f) {
   Range range{HUGE_VAL, -HUGE_VAL};
-  for (const BoundaryLoop& loop : loops) {
+  for (const RegionLoop& loop : loops) {
     for (const auto& arc : loop) {
       for (int i = 0; i <= kHullSamples; ++i) {
         range.add(f(arc(static_cast<double>(i) / kHullSamples)));
@@ -392,10 +391,10 @@ OrientedQuadric oriented_one_sheet_hyperboloid(const Vector3d& a, const QuadricB
 }
 
 /// Angles modulo pi on the loops: the middle of the shortest arc that holds them all.
-double middle_on(const std::vector<BoundaryLoop>& loops,
+double middle_on(const std::vector<RegionLoop>& loops,
                  const std::function<double(const Vector3d&)>& angle) {
   std::vector<double> angles;
-  for (const BoundaryLoop& loop : loops) {
+  for (const RegionLoop& loop : loops) {
     for (const auto& arc : loop) {
       for (int i = 0; i <= kHullSamples; ++i) {
         const double x = angle(arc(static_cast<double>(i) / kHullSamples));

@@ -153,7 +153,7 @@ class RegionTracer {
     }
   }
 
-  std::vector<BoundaryLoop> loops() {
+  std::vector<RegionLoop> loops() {
     std::vector<Arc> arcs;
     for (const BoundingPlane& plane : planes_) {
       for (const BoundaryConic& conic : section(quadric_.equation, plane, quadric_.reach)) {
@@ -223,13 +223,13 @@ class RegionTracer {
   }
 
   /// The arcs end to end.
-  std::vector<BoundaryLoop> joined(std::vector<Arc> arcs) const {
+  std::vector<RegionLoop> joined(std::vector<Arc> arcs) const {
     require_pairs(arcs);
-    std::vector<BoundaryLoop> loops;
+    std::vector<RegionLoop> loops;
     while (!arcs.empty()) {
       const auto first = arcs.back().start;
       auto end = arcs.back().finish;
-      BoundaryLoop loop = {arcs.back().curve};
+      RegionLoop loop = {arcs.back().curve};
       arcs.pop_back();
       while (end != first) {
         const auto next = std::find_if(arcs.begin(), arcs.end(), [&](const Arc& arc) {
@@ -337,8 +337,7 @@ QuadricBounds effective_bounds(const QuadricBounds& bounds, const TracedQuadric&
 
 bool are_none(const QuadricBounds& bounds) { return !bounds.angle && planes_of(bounds).empty(); }
 
-std::vector<BoundaryLoop> boundary_loops(const QuadricBounds& bounds,
-                                         const TracedQuadric& quadric) {
+std::vector<RegionLoop> region_loops(const QuadricBounds& bounds, const TracedQuadric& quadric) {
   return RegionTracer(bounds, quadric).loops();
 }
 

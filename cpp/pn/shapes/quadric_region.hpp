@@ -51,10 +51,10 @@ QuadricBounds effective_bounds(const QuadricBounds& bounds, const TracedQuadric&
 /// Whether they leave the whole surface.
 bool are_none(const QuadricBounds& bounds);
 
-using BoundaryLoop = std::vector<std::function<Eigen::Vector3d(double)>>;
+using RegionLoop = std::vector<std::function<Eigen::Vector3d(double)>>;
 
 /// The loops around the region inside effective bounds. Throws GeometryError when it touches itself
 /// in a point.
-std::vector<BoundaryLoop> boundary_loops(const QuadricBounds& bounds, const TracedQuadric& quadric);
+std::vector<RegionLoop> region_loops(const QuadricBounds& bounds, const TracedQuadric& quadric);
 
 }  // namespace pn
