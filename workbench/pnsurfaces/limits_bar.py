@@ -16,6 +16,9 @@ _BEYOND = 0.15
 # Half-way along an endless bar without any limit, in millimetres.
 _ENDLESS = 10.0
 
+# A limit so many times as far as the other one is drawn like none: the bar would show nothing else.
+_FARTHEST = 1e6
+
 # Pixels: the bar, the space above it for the marks and the text under it.
 _HEIGHT = 10
 _MARK = 7
@@ -51,13 +54,16 @@ class Scale:
     def __init__(self, low, high):
         self.low = low
         self.high = high
-        self._half = next((abs(x) for x in (low, high) if math.isfinite(x) and x), _ENDLESS)
+        self._ends_below = _counts(low, high)
+        self._ends_above = _counts(high, low)
+        ends = [x for x, counts in ((low, self._ends_below), (high, self._ends_above)) if counts]
+        self._half = next((abs(x) for x in ends if x), _ENDLESS)
 
     def place(self, distance):
         """Where a distance lies; one too far beyond a limit lies at the end of the bar."""
         if self.low >= self.high:
             return self._endless(distance)
-        below, above = math.isfinite(self.low), math.isfinite(self.high)
+        below, above = self._ends_below, self._ends_above
         if below and above:
             part = (distance - self.low) / (self.high - self.low)
             return _clipped(_BEYOND + (1 - 2 * _BEYOND) * part)
@@ -74,13 +80,18 @@ class Scale:
         """The parts of the bar in order."""
         if self.low >= self.high:
             return [Zone(0, 1, False)]
-        start = _BEYOND if math.isfinite(self.low) else 0
-        end = 1 - _BEYOND if math.isfinite(self.high) else 1
+        start = _BEYOND if self._ends_below else 0
+        end = 1 - _BEYOND if self._ends_above else 1
         zones = [Zone(0, start, False), Zone(start, end, True), Zone(end, 1, False)]
         return [zone for zone in zones if zone.start < zone.end]
 
     def _endless(self, distance):
         return (1 + distance / (abs(distance) + self._half)) / 2
+
+
+def _counts(limit, other):
+    """Whether a limit is there and not too far beside the other one."""
+    return math.isfinite(limit) and not abs(limit) > _FARTHEST * abs(other) > 0
 
 
 def _half_endless(steps):
