@@ -27,8 +27,8 @@ using TrimLoop = std::vector<ParameterCurve>;
 /// the same index.
 ///
 /// `trims` bounds the face: the region lies to the left of every loop, so that outer loops run
-/// counterclockwise. A curve of degree 1 with two poles along a side of the parameter rectangle is a
-/// piece of that side. Without loops the face is the whole surface.
+/// counterclockwise. A curve of degree 1 with two poles along a side of the parameter rectangle is
+/// a piece of that side. Without loops the face is the whole surface.
 struct BSplineSurface {
   int u_degree = 0;
   int v_degree = 0;
