@@ -22,6 +22,9 @@ constexpr double kMargin = 0.01;
 /// Nearer to a pole the direction of its circles is lost to rounding.
 constexpr double kAtPole = 1e-9;
 
+/// Within this distance from a pole a region has no split.
+constexpr double kBesidePole = 1e-3;
+
 /// A loop whose t varies by no more than rounding lies on a line t = const.
 constexpr double kParallel = 1e-12;
 
@@ -65,11 +68,14 @@ class AngleWalk {
 
  private:
   void walk(std::vector<Step>& steps, double to) const {
-    constexpr double kLargestTurn = 0.05, kShortest = 1e-10;
+    constexpr double kLargestTurn = 0.05, kLargestGrowth = 0.02, kShortest = 1e-10;
     const Step from = steps.back();
     Step next = at(to);
     const double turn = std::remainder(next.angle - from.angle, M_PI);
-    if (std::abs(turn) > kLargestTurn && to - from.s > kShortest) {
+    // A part of the distance from the pole, so that no step hides what lies beside a split.
+    const double largest_growth = kLargestGrowth * std::max(from.t, kBesidePole);
+    const bool is_far = std::abs(turn) > kLargestTurn || std::abs(next.t - from.t) > largest_growth;
+    if (is_far && to - from.s > kShortest) {
       walk(steps, (from.s + to) / 2);
       return walk(steps, to);
     }
