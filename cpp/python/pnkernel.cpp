@@ -298,7 +298,7 @@ void define_outputs(py::module_& module) {
   py::class_<Surface>(
       module, "BSplineSurface",
       "A face: a clamped rational B-spline surface. u runs along the spine, v around "
-      "it; S_u x S_v points along the normal.")
+      "it; S_u x S_v points along the normal, on elliptic paraboloids against it.")
       .def_readonly("u_degree", &Surface::u_degree)
       .def_readonly("v_degree", &Surface::v_degree)
       .def_readonly("u_multiplicities", &Surface::u_multiplicities)
