@@ -18,6 +18,7 @@
 #include "pn/occt/spherical_caps.hpp"
 #include "pn/occt/step.hpp"
 #include "pn/occt/thick_solid.hpp"
+#include "pn/occt/triangulation.hpp"
 
 namespace py = pybind11;
 
@@ -107,10 +108,15 @@ TopoDS_Shape together(const std::vector<Shape>& shapes) {
   return compound;
 }
 
+// FreeCAD draws the triangulations that it finds; to make them it would hold up its window.
+std::string drawable_brep(const TopoDS_Shape& shape) {
+  return pn::to_brep(pn::triangulated(shape));
+}
+
 std::string shell(const py::iterable& faces) {
   const auto surfaces = surfaces_from(faces);
   const py::gil_scoped_release release;
-  return pn::to_brep(together(pn::make_shells(surfaces)));
+  return drawable_brep(together(pn::make_shells(surfaces)));
 }
 
 std::string capped_solid(const py::iterable& faces) {
@@ -120,7 +126,7 @@ std::string capped_solid(const py::iterable& faces) {
   for (const TopoDS_Shell& part : pn::make_shells(surfaces)) {
     solids.push_back(pn::make_capped_solid(part));
   }
-  return pn::to_brep(together(solids));
+  return drawable_brep(together(solids));
 }
 
 std::string domed_solid(const py::iterable& faces) {
@@ -130,19 +136,19 @@ std::string domed_solid(const py::iterable& faces) {
   for (const TopoDS_Shell& part : pn::make_shells(surfaces)) {
     solids.push_back(pn::make_domed_solid(part));
   }
-  return pn::to_brep(together(solids));
+  return drawable_brep(together(solids));
 }
 
 std::string thick_solid(const py::iterable& inner_faces, const py::iterable& outer_faces) {
   const auto inner = surfaces_from(inner_faces), outer = surfaces_from(outer_faces);
   const py::gil_scoped_release release;
-  return pn::to_brep(together(pn::make_thick_solids(inner, outer)));
+  return drawable_brep(together(pn::make_thick_solids(inner, outer)));
 }
 
 std::string domed_thick_solid(const py::iterable& inner_faces, const py::iterable& outer_faces) {
   const auto inner = surfaces_from(inner_faces), outer = surfaces_from(outer_faces);
   const py::gil_scoped_release release;
-  return pn::to_brep(pn::make_thick_solid(pn::make_domed_shell(pn::make_shell(inner)),
+  return drawable_brep(pn::make_thick_solid(pn::make_domed_shell(pn::make_shell(inner)),
                                           pn::make_domed_shell(pn::make_shell(outer))));
 }
 

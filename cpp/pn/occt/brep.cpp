@@ -17,7 +17,7 @@ namespace {
 // OpenCASCADE writes vertices with 15 digits, everything else with all 17.
 class ExactShapeSet : public BRepTools_ShapeSet {
  public:
-  ExactShapeSet() : BRepTools_ShapeSet(/*theWithTriangles=*/false) {}
+  ExactShapeSet() : BRepTools_ShapeSet(/*theWithTriangles=*/true) {}
 
   using BRepTools_ShapeSet::WriteGeometry;
   void WriteGeometry(const TopoDS_Shape& shape, Standard_OStream& stream) const override {

@@ -7,8 +7,8 @@
 
 namespace pn {
 
-/// The shape as BREP text. Every double of curves, surfaces and vertices is kept; triangulations
-/// are left out.
+/// The shape as BREP text, with its triangulations if it has any. Every double of curves, surfaces
+/// and vertices is kept.
 std::string to_brep(const TopoDS_Shape& shape);
 
 /// The shape in a BREP text. Throws std::invalid_argument when there is none.

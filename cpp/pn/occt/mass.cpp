@@ -22,6 +22,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "pn/algebra/parallel.hpp"
 #include "pn/occt/curve_on_surface.hpp"
 #include "pn/occt/occt_error.hpp"
 
@@ -36,12 +37,15 @@ constexpr int kKronrodPoints = 21;
 constexpr double kAgreement = 1e-10;
 
 // The part of the whole way below which a stretch is not halved any more. Only where a normal
-// vanishes inside a face does it come to that, and where two cuts nearly coincide, so that rounding
-// is all that is left of the integrand; what such a stretch adds is too little to matter.
+// vanishes inside a face does it come near that; what such a stretch adds is too little to matter.
 constexpr double kShortest = 1e-6;
 
 // No stretch is halved.
 constexpr double kWhole = 1;
+
+// The part of a whole integral that a stretch may be off: where normals vanish, rounding is all
+// that is left of the integrand, which never settles by itself.
+constexpr double kNegligible = 1e-12;
 
 // A p-curve is searched for crossings of the knot lines of its surface in this many steps between
 // its own knots. Two crossings inside one step would cost accuracy, not correctness.
@@ -82,10 +86,16 @@ struct GaussKronrodRule {
   math_Vector gauss_weights;
 };
 
-// Integral of f, which gives Sums, from a to b, also where a > b. Stretches are halved down to
-// `shortest`, and never beyond neighbouring doubles.
+// When a stretch is halved no more: it is this short, or its error is this small.
+struct Limits {
+  double shortest;
+  double negligible;
+};
+
+// Integral of f, which gives Sums, from a to b, also where a > b. Stretches are halved down to the
+// limits, and never beyond neighbouring doubles.
 template <class Function>
-Sum integral(const Function& f, double a, double b, double shortest) {
+Sum integral(const Function& f, double a, double b, const Limits& limits) {
   if (a == b) return {};
   static const GaussKronrodRule rule;
   const double middle = (a + b) / 2;
@@ -98,29 +108,30 @@ Sum integral(const Function& f, double a, double b, double shortest) {
   }
   const double difference = std::abs(kronrod.value - gauss.value);
   const bool has_settled = difference <= kAgreement * kronrod.size;
-  const bool is_short = std::abs(half) < shortest || middle == a || middle == b;
-  if (is_short || has_settled) {
+  const bool is_negligible = std::abs(half) * difference <= limits.negligible;
+  const bool is_short = std::abs(half) < limits.shortest || middle == a || middle == b;
+  if (is_short || is_negligible || has_settled) {
     if (difference > 0) {
       kronrod.error += has_settled ? difference * std::sqrt(difference / kronrod.size) : difference;
     }
     return half * kronrod;
   }
-  Sum sum = integral(f, a, middle, shortest);
-  return sum += integral(f, middle, b, shortest);
+  Sum sum = integral(f, a, middle, limits);
+  return sum += integral(f, middle, b, limits);
 }
 
 // The same, split at `cuts` between a and b, in this order, the shortest stretch being a part of
 // the whole way.
 template <class Function>
 Sum integral(const Function& f, double a, const std::vector<double>& cuts, double b,
-             double shortest_part) {
-  const double shortest = shortest_part * std::abs(b - a);
+             const Limits& parts) {
+  const Limits limits{parts.shortest * std::abs(b - a), parts.negligible};
   Sum sum;
   for (const double cut : cuts) {
-    sum += integral(f, a, cut, shortest);
+    sum += integral(f, a, cut, limits);
     a = cut;
   }
-  return sum += integral(f, a, b, shortest);
+  return sum += integral(f, a, b, limits);
 }
 
 std::vector<double> u_breaks(const GeomAdaptor_Surface& surface) {
@@ -140,6 +151,9 @@ class Knots {
  public:
   Knots(std::vector<double> knots, bool is_periodic)
       : knots_(std::move(knots)), period_(is_periodic ? knots_.back() - knots_.front() : 0) {}
+
+  // From the first to the last one.
+  double length() const { return knots_.back() - knots_.front(); }
 
   // Those passed on the way from a, which does not count, to b, which does.
   std::vector<double> passed(double a, double b) const {
@@ -195,10 +209,28 @@ class Domain {
     if (boundary_.empty()) throw std::invalid_argument("A face has no boundary.");
   }
 
-  // Integral of density(S, S_u x S_v), which gives Sums, over u and v.
+  // Integral of density(S, S_u x S_v), which gives Sums, over u and v: as exact as doubles allow.
   template <class Density>
-  Sum integral_of(const Density& density, double shortest_part) const {
+  Sum integral_of(const Density& density) const {
+    const Sum rough = integral_by_one_rule(density);
+    return integral_of(density, {kShortest, kNegligible * rough.size});
+  }
+
+  // The same with no stretch halved.
+  template <class Density>
+  Sum integral_by_one_rule(const Density& density) const {
+    return integral_of(density, {kWhole, 0});
+  }
+
+  // 1 where the face points along S_u x S_v, -1 where against it.
+  double sign() const { return sign_; }
+
+ private:
+  template <class Density>
+  Sum integral_of(const Density& density, const Limits& parts) const {
     const double u0 = boundary_.front().curve.Value(boundary_.front().cuts.front()).X();
+    // What a strip may be off counts for every v.
+    const Limits across{parts.shortest, parts.negligible / v_knots_.length()};
     const auto strip = [&](double u, double v) {
       const auto at = [&](double s) {
         gp_Pnt point;
@@ -206,7 +238,7 @@ class Domain {
         surface_.D1(s, v, point, s_u, s_v);
         return density(point, s_u.Crossed(s_v));
       };
-      return integral(at, u0, u_knots_.passed(u0, u), u, shortest_part);
+      return integral(at, u0, u_knots_.passed(u0, u), u, across);
     };
     Sum sum;
     for (const BoundaryCurve& piece : boundary_) {
@@ -218,15 +250,11 @@ class Domain {
         return step.Y() == 0 ? Sum{} : step.Y() * strip(uv.X(), uv.Y());
       };
       const std::vector<double> inner(piece.cuts.begin() + 1, piece.cuts.end() - 1);
-      sum += piece.sign * integral(at, piece.cuts.front(), inner, piece.cuts.back(), shortest_part);
+      sum += piece.sign * integral(at, piece.cuts.front(), inner, piece.cuts.back(), parts);
     }
     return sum;
   }
 
-  // 1 where the face points along S_u x S_v, -1 where against it.
-  double sign() const { return sign_; }
-
- private:
   // A p-curve, the parameters between which it is analytic on the surface, and whether the region
   // lies to its left (1) or right (-1).
   struct BoundaryCurve {
@@ -276,11 +304,9 @@ class Domain {
   std::vector<BoundaryCurve> boundary_;
 };
 
-Sum area_of(const TopoDS_Face& face, double shortest_part) {
-  const auto size = [](const gp_Pnt&, const gp_Vec& normal) {
-    return Sum{normal.Magnitude(), normal.Magnitude()};
-  };
-  return Domain(face).integral_of(size, shortest_part);
+// The density of the area.
+Sum area_element(const gp_Pnt&, const gp_Vec& normal) {
+  return {normal.Magnitude(), normal.Magnitude()};
 }
 
 // Volume of the cone from `apex` over a face, negative where the face points towards it.
@@ -290,18 +316,28 @@ Sum volume_below(const TopoDS_Face& face, const gp_Pnt& apex) {
     const gp_Vec ray(apex, point);
     return Sum{ray.Dot(normal), ray.Magnitude() * normal.Magnitude()};
   };
-  return domain.sign() / 3 * domain.integral_of(cone, kShortest);
+  return domain.sign() / 3 * domain.integral_of(cone);
+}
+
+// The sum over all faces of a shape of what integral_over(face) gives.
+template <class Integral>
+Sum over_faces(const TopoDS_Shape& shape, const Integral& integral_over) {
+  std::vector<TopoDS_Face> faces;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
+    faces.push_back(TopoDS::Face(face.Current()));
+  }
+  std::vector<Sum> terms(faces.size());
+  for_each_index(faces.size(), [&](std::size_t i) { terms[i] = integral_over(faces[i]); });
+  Sum sum;
+  for (const Sum& term : terms) sum += term;
+  return sum;
 }
 
 // Volume inside a closed shell. An apex on the shell keeps the cones small.
 Sum volume_inside(const TopoDS_Shape& shell) {
   const TopExp_Explorer vertex(shell, TopAbs_VERTEX);
   const gp_Pnt apex = BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current()));
-  Sum sum;
-  for (TopExp_Explorer face(shell, TopAbs_FACE); face.More(); face.Next()) {
-    sum += volume_below(TopoDS::Face(face.Current()), apex);
-  }
-  return sum;
+  return over_faces(shell, [&](const TopoDS_Face& face) { return volume_below(face, apex); });
 }
 
 Sum volume_of_closed_shells(const TopoDS_Shape& shape) {
@@ -316,12 +352,9 @@ Sum volume_of_closed_shells(const TopoDS_Shape& shape) {
   return sum;
 }
 
-Sum area_of_faces(const TopoDS_Shape& shape, double shortest_part = kShortest) {
-  Sum sum;
-  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
-    sum += area_of(TopoDS::Face(face.Current()), shortest_part);
-  }
-  return sum;
+Sum area_of_faces(const TopoDS_Shape& shape) {
+  return over_faces(shape,
+                    [](const TopoDS_Face& face) { return Domain(face).integral_of(area_element); });
 }
 
 // The area that lies between the edges of the faces and their curves on them, at most and about.
@@ -352,7 +385,12 @@ double area(const TopoDS_Shape& shape) {
 }
 
 double area_by_one_rule(const TopoDS_Shape& shape) {
-  return with_occt_errors([&] { return area_of_faces(shape, kWhole).value; });
+  return with_occt_errors([&] {
+    const auto area_of = [](const TopoDS_Face& face) {
+      return Domain(face).integral_by_one_rule(area_element);
+    };
+    return over_faces(shape, area_of).value;
+  });
 }
 
 Measure measured_volume(const TopoDS_Shape& shape) {
