@@ -40,9 +40,9 @@ class GuiTest(unittest.TestCase):
         return self.run_creation("PNSurfaces_CanalSurface")
 
     def run_creation(self, command):
-        """Runs a command on what is selected and returns the new feature and its panel."""
+        """Runs a command on what is selected and returns the new feature, computed, and its panel."""
         FreeCADGui.runCommand(command)
-        main_window.settle()
+        wait_for_preview()
         return self.panel_of(self.document.ActiveObject)
 
     def assert_asks(self, command, sentence):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The commands of the workbench. What they do is the script that a recorded macro repeats."""
 
+import contextlib
+
 import FreeCAD
 import FreeCADGui
 
@@ -16,8 +18,10 @@ from pnsurfaces.selection import selected_face, selected_pair, selected_spine
 QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 translate = FreeCAD.Qt.translate
 
-# A tube as thick as a tenth of the spine's length is seen at once and seldom meets itself.
+# A tube as thick as a tenth of the spine's length is seen at once and seldom meets itself, one as
+# thick as half an edge gets round most corners.
 _LENGTH_PER_RADIUS = 20
+_EDGE_PER_RADIUS = 4
 
 # Half-axes of a new quadric, in millimetres: unequal, so that all three are seen.
 _HALF_AXES = (40.0, 30.0, 20.0)
@@ -56,7 +60,9 @@ class CreationCommand:
         document.openTransaction(translate("PNSurfaces", self.transaction))
         try:
             FreeCADGui.doCommand("import pnsurfaces")
-            FreeCADGui.doCommand(creation)
+            # What is made of other objects may take long: the panel computes it beside the window.
+            with contextlib.nullcontext() if is_first else _frozen(document):
+                FreeCADGui.doCommand(creation)
             FreeCADGui.getDocument(document.Name).setEdit(document.ActiveObject.Name)
             if is_first:
                 FreeCADGui.SendMsgToActiveView("ViewFit")
@@ -245,11 +251,24 @@ def _call(function, *arguments, **properties):
     return f"pnsurfaces.{function}({', '.join(every)})"
 
 
+@contextlib.contextmanager
+def _frozen(document):
+    """New surfaces are not computed meanwhile."""
+    was_frozen = document.RecomputesFrozen
+    document.RecomputesFrozen = True
+    try:
+        yield
+    finally:
+        document.RecomputesFrozen = was_frozen
+
+
 def _start_radius(spine):
     """A radius in proportion to the spine, with one significant digit, in millimetres."""
     source, names = spine
     edges = [source.getSubObject(name) for name in names] or source.Shape.Edges
-    return float(f"{sum(edge.Length for edge in edges) / _LENGTH_PER_RADIUS:.0e}")
+    length = sum(edge.Length for edge in edges)
+    radius = min(length / _LENGTH_PER_RADIUS, length / len(edges) / _EDGE_PER_RADIUS)
+    return float(f"{radius:.0e}")
 
 
 def _run_apart(first, second):

@@ -300,9 +300,10 @@ def _offer_all_choices(obj, entry):
 
 
 def make_feature(proxy, document, name, values):
-    """A new computed feature with the proxy class `proxy` and these property values.
+    """A new feature with the proxy class `proxy` and these property values.
 
-    Whatever an assignment raises, nothing is then left in the document.
+    It is computed unless the recomputes of its document are frozen. Whatever an assignment raises,
+    nothing is then left in the document.
     """
     obj = document.addObject("Part::FeaturePython", name)
     try:
@@ -316,7 +317,8 @@ def make_feature(proxy, document, name, values):
         from pnsurfaces.view_provider import ViewProviderPNSurface
 
         ViewProviderPNSurface(obj.ViewObject)
-    obj.recompute(True)
+    if not document.RecomputesFrozen:
+        obj.recompute(True)
     return obj
 
 

@@ -71,7 +71,10 @@ class TaskPanel:
             connect(combo_box, "currentTextChanged(QString)", self._show_rows_of_offset)
         self._show_rows_of_offset()
         self.show_result()
-        self._preview.prepare()
+        if self._was_touched:
+            self._preview.start()
+        else:
+            self._preview.prepare()
 
     def assign(self, name, value):
         """Gives a property a value; the surface follows after a pause."""

@@ -39,6 +39,11 @@ constexpr double kMargin = 0.5;
 constexpr double kLargeTurn = 1.0 / 3;
 /// Pairs of pieces of two knot rectangles; only sheets that touch along a curve need as many.
 constexpr int kMostPairs = 50000;
+/// Pairs of knot rectangles that are looked at together: enough for any number of threads.
+constexpr std::size_t kPairsAtOnce = 4096;
+/// A surface with so many pairs that cross does so all over: a pipe as wide as its spine is long.
+/// The others, which may be millions, are not looked at then.
+constexpr std::size_t kEnough = 256;
 /// A parameter on the side of a face differs from it by rounding, in knot spans.
 constexpr double kAtSide = 1e-9;
 /// Where the parts beside a corner are bent, they overlap a little farther than straight ones.
@@ -519,52 +524,81 @@ Section prepared(const std::vector<SectionFace>& faces) {
   return section;
 }
 
+using Pieces = std::vector<std::unique_ptr<Piece>>;
+using Pair = std::array<std::size_t, 2>;
+
 /// The pairs of pieces whose boxes overlap, each with itself too, by a sweep along the longest side
 /// of the whole.
-std::vector<std::array<std::size_t, 2>> overlapping(
-    const std::vector<std::unique_ptr<Piece>>& all) {
-  Box whole;
-  for (const auto& piece : all) whole.extend(piece->box());
-  Eigen::Index longest = 0;
-  whole.sizes().maxCoeff(&longest);
-  std::vector<std::size_t> order(all.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return all[a]->box().min()(longest) < all[b]->box().min()(longest);
-  });
-  std::vector<std::array<std::size_t, 2>> pairs;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Box& box = all[order[i]]->box();
-    pairs.push_back({order[i], order[i]});
-    for (std::size_t j = i + 1; j < order.size(); ++j) {
-      const Box& other = all[order[j]]->box();
-      if (other.min()(longest) > box.max()(longest)) break;
-      if (!box.intersects(other)) continue;
-      pairs.push_back({std::min(order[i], order[j]), std::max(order[i], order[j])});
-    }
+class Sweep {
+ public:
+  explicit Sweep(const Pieces& pieces) : pieces_(pieces), order_(pieces.size()) {
+    Box whole;
+    for (const auto& piece : pieces) whole.extend(piece->box());
+    whole.sizes().maxCoeff(&along_);
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+      return pieces[a]->box().min()(along_) < pieces[b]->box().min()(along_);
+    });
   }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+
+  /// The next pairs, kPairsAtOnce and some more; none at the end.
+  std::vector<Pair> next() {
+    std::vector<Pair> pairs;
+    for (; first_ < order_.size() && pairs.size() < kPairsAtOnce; ++first_) {
+      const std::vector<Pair> found = pairs_of_first();
+      pairs.insert(pairs.end(), found.begin(), found.end());
+    }
+    return pairs;
+  }
+
+ private:
+  std::vector<Pair> pairs_of_first() const {
+    const std::size_t first = order_[first_];
+    const Box& box = pieces_[first]->box();
+    std::vector<Pair> pairs = {{first, first}};
+    for (std::size_t j = first_ + 1; j < order_.size(); ++j) {
+      const std::size_t other = order_[j];
+      if (pieces_[other]->box().min()(along_) > box.max()(along_)) break;
+      if (!box.intersects(pieces_[other]->box())) continue;
+      pairs.push_back({std::min(first, other), std::max(first, other)});
+    }
+    return pairs;
+  }
+
+  const Pieces& pieces_;
+  Eigen::Index along_ = 0;
+  std::vector<std::size_t> order_;
+  std::size_t first_ = 0;
+};
+
+Crossing widest_of(const Section& section, const Pair& pair) {
+  const Piece &a = *section.pieces[pair[0]], &b = *section.pieces[pair[1]];
+  PairSearch search(section);
+  if (&a == &b) {
+    search.search(a);
+  } else {
+    const bool same_face = &a.face() == &b.face();
+    search.search(a, b, same_face ? Gluing{} : gluing(a.face(), b.face()));
+  }
+  return search.widest();
 }
 
 }  // namespace
 
 std::optional<SelfIntersection> self_intersection(const std::vector<SectionFace>& faces) {
   const Section section = prepared(faces);
-  const auto pairs = overlapping(section.pieces);
-  std::vector<Crossing> crossings(pairs.size());
-  for_each_index(pairs.size(), [&](std::size_t i) {
-    const Piece &a = *section.pieces[pairs[i][0]], &b = *section.pieces[pairs[i][1]];
-    PairSearch search(section);
-    if (&a == &b) {
-      search.search(a);
-    } else {
-      const bool same_face = &a.face() == &b.face();
-      search.search(a, b, same_face ? Gluing{} : gluing(a.face(), b.face()));
-    }
-    crossings[i] = search.widest();
-  });
-  return std::accumulate(crossings.begin(), crossings.end(), Crossing(), wider);
+  Sweep sweep(section.pieces);
+  Crossing widest;
+  std::size_t found = 0;
+  for (auto pairs = sweep.next(); !pairs.empty() && found < kEnough; pairs = sweep.next()) {
+    std::vector<Crossing> crossings(pairs.size());
+    for_each_index(pairs.size(),
+                   [&](std::size_t i) { crossings[i] = widest_of(section, pairs[i]); });
+    widest = std::accumulate(crossings.begin(), crossings.end(), widest, wider);
+    found += static_cast<std::size_t>(std::count_if(
+        crossings.begin(), crossings.end(), [](const Crossing& c) { return c.has_value(); }));
+  }
+  return widest;
 }
 
 }  // namespace pn

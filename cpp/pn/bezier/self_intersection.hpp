@@ -22,7 +22,8 @@
 //   - Newton's method finds a point of both: this is the crossing, confirmed.
 //
 // No pair is given up before a side of a piece is shorter than kResolution of the surface, or too
-// many pairs of two knot rectangles were looked at.
+// many pairs of two knot rectangles were looked at. The search ends early where hundreds of knot
+// rectangles were found to cross.
 //
 // The parts beside a corner of a spine always overlap on its inner side, and the chain says so in
 // its notes. Crossings of them in the ball around the corner that holds this overlap do not count:
