@@ -1,45 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Makes the examples in FreeCAD's window and writes them to a folder, with pictures."""
 
-from typing import Callable, NamedTuple
-
 import FreeCAD
 import FreeCADGui
 import main_window
-from cooling_tower import make_cooling_tower
-from intake_horn import make_intake_horn
 from pivy import coin
-from reflector import make_reflector
-from saddle_roof import make_saddle_roof
-from twisted_blade import make_twisted_blade
 
 import pnsurfaces
 from pnsurfaces.compat import QtCore, QtGui, QtWidgets
+from pnsurfaces.examples import gallery
 from pnsurfaces.feature import VALID
 
-
-class Example(NamedTuple):
-    """What is shown of an example.
-
-    `surfaces` are the names of the objects that are exported, the first one selected in the
-    pictures. The camera stands at `azimuth` degrees about the vertical axis and `elevation` above
-    the horizon.
-    """
-
-    file_name: str
-    make: Callable
-    surfaces: tuple
-    azimuth: float
-    elevation: float
-
-
-EXAMPLES = (
-    Example("intake_horn", make_intake_horn, ("Outer", "Inner", "Wall"), 26, 27),
-    Example("reflector", make_reflector, ("Back", "Front", "Dish"), 36, 30),
-    Example("saddle_roof", make_saddle_roof, ("Upper", "Lower", "Shell"), 40, 24),
-    Example("cooling_tower", make_cooling_tower, ("Outer", "Inner", "Wall"), 40, 24),
-    Example("twisted_blade", make_twisted_blade, ("Suction", "Pressure", "Blade"), 30, 40),
-)
 
 # In pixels.
 _WINDOW_SIZE = (1280, 840)
@@ -72,19 +43,19 @@ def present(folder):
     Raises RuntimeError when a surface is in error or irregular.
     """
     _show_window()
-    certificates = [row for example in EXAMPLES for row in _presented(example, folder)]
+    certificates = [row for example in gallery() for row in _presented(example, folder)]
     (folder / "certificates.txt").write_text(_table(certificates))
 
 
 def _presented(example, folder):
     """Writes the files of one example and returns the certificates of its surfaces."""
-    document = example.make()
+    document = pnsurfaces.open_example(example.name)
     surfaces = [document.getObject(name) for name in example.surfaces]
     _require_valid(document.Objects)
     _require_regular(surfaces)
     _take_pictures(example, surfaces[0], folder)
-    document.saveAs(str(folder / f"{example.file_name}.FCStd"))
-    pnsurfaces.export_step(surfaces, folder / f"{example.file_name}.step")
+    document.saveAs(str(folder / f"{example.name}.FCStd"))
+    pnsurfaces.export_step(surfaces, folder / f"{example.name}.step")
     certificates = [_certificate(example, surface) for surface in surfaces]
     FreeCAD.closeDocument(document.Name)
     return certificates
@@ -138,9 +109,9 @@ def _take_pictures(example, selected, folder):
     main_window.settle()
     # A widget cannot grab the OpenGL part of itself, the screen can.
     picture = window.screen().grabWindow(window.winId())
-    picture.save(str(folder / f"{example.file_name}_window.png"))
+    picture.save(str(folder / f"{example.name}_window.png"))
     FreeCADGui.Selection.clearSelection()
-    path = str(folder / f"{example.file_name}.png")
+    path = str(folder / f"{example.name}.png")
     view.saveImage(path, *_DRAWING_SIZE, "White")
     _trimmed(QtGui.QImage(path)).save(path)
 
@@ -186,7 +157,7 @@ def _table(certificates):
 def _certificate(example, surface):
     sign = "±" if surface.Sides == "Both sides" else ""
     return (
-        example.file_name,
+        example.name,
         surface.Label,
         f"{sign}{surface.Distance.Value:g} mm",
         surface.Degree,

@@ -1,54 +1,51 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The examples of the gallery: every surface is regular and every solid fit for Booleans."""
 
-import importlib
-import pathlib
-import sys
-
-import FreeCAD
 from support import DocumentTest
 
+import pnsurfaces
 from pnsurfaces import kernel
+from pnsurfaces.examples import gallery
 from pnsurfaces.feature import VALID
-
-FOLDER = pathlib.Path(__file__).resolve().parents[2] / "resources" / "examples"
 
 
 class Examples(DocumentTest):
-    def setUp(self):
-        super().setUp()
-        sys.path.append(str(FOLDER))
-        self.addCleanup(sys.path.remove, str(FOLDER))
+    def test_all_objects_are_valid(self):
+        for example in gallery():
+            for obj in pnsurfaces.open_example(example.name).Objects:
+                with self.subTest(example.name, obj=obj.Label):
+                    self.assertTrue(obj.isValid(), obj.getStatusString())
+                    self.assertEqual(getattr(obj, "Status", VALID), VALID)
+                    self.assertTrue(obj.Shape.isValid())
 
-    def make(self, name):
-        return getattr(importlib.import_module(name), f"make_{name}")()
+    def test_surfaces_are_exact_regular_and_where_they_are_said_to_be(self):
+        for example in gallery():
+            document = pnsurfaces.open_example(example.name)
+            surfaces = [document.getObject(name) for name in example.surfaces]
+            for report in pnsurfaces.certificate(surfaces)["objects"]:
+                with self.subTest(example.name, surface=report["label"]):
+                    self.assertTrue(report["exact"])
+                    self.assertEqual(report["shape"]["faults"], [])
+                    for section in report["sections"]:
+                        self.assertTrue(section["regular"])
+                        sampled = section["sampling"]
+                        self.assertLessEqual(
+                            sampled["worst"], section["deviation"] + sampled["rounding"]
+                        )
 
-    def assert_sound(self, name, *solids):
-        """All objects are valid, and the Boolean check finds nothing in the exact solids."""
-        document = self.make(name)
-        for obj in document.Objects:
-            self.assertTrue(obj.isValid(), f"{obj.Label}: {obj.getStatusString()}")
-            self.assertEqual(getattr(obj, "Status", VALID), VALID)
-            self.assertTrue(obj.Shape.isValid(), obj.Label)
-        for solid in solids:
-            shape = document.getObject(solid).Shape
-            self.assertEqual(shape.ShapeType, "Solid")
-            self.assertEqual(kernel.pnocct().check(shape.exportBrepToString(), boolean=True), [])
+    def test_solids_are_fit_for_boolean_operations(self):
+        for example in gallery():
+            document = pnsurfaces.open_example(example.name)
+            for name in example.solids:
+                with self.subTest(example.name, solid=name):
+                    shape = document.getObject(name).Shape
+                    self.assertEqual(shape.ShapeType, "Solid")
+                    faults = kernel.pnocct().check(shape.exportBrepToString(), boolean=True)
+                    self.assertEqual(faults, [])
 
-    def test_intake_horn(self):
-        self.assert_sound("intake_horn", "Wall")
-
-    def test_reflector(self):
-        self.assert_sound("reflector", "Dish")
-
-    def test_saddle_roof(self):
-        self.assert_sound("saddle_roof", "Shell")
-
-    def test_cooling_tower(self):
-        self.assert_sound("cooling_tower", "Wall")
-
-    def test_twisted_blade(self):
-        self.assert_sound("twisted_blade", "Blade", "Hub")
+    def test_there_is_no_other_example(self):
+        with self.assertRaisesRegex(KeyError, "reflector"):
+            pnsurfaces.open_example("refelctor")
 
     def test_walls_follow_their_distance(self):
         for name, leader, wall in (
@@ -57,7 +54,7 @@ class Examples(DocumentTest):
             ("twisted_blade", "Suction", "Blade"),
         ):
             with self.subTest(name):
-                document = self.make(name)
+                document = pnsurfaces.open_example(name)
                 leader, wall = document.getObject(leader), document.getObject(wall)
                 before = wall.Shape.Volume
                 leader.Distance = 2 * leader.Distance

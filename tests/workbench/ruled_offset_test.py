@@ -198,7 +198,7 @@ class Errors(Recovery, RuledOffsetTest):
             with self.subTest(shape.Faces[0].Surface.TypeId):
                 self.obj.Face = (self.shape_object(shape, "Round"), ["Face1"])
                 self.assert_fails_and_recovers(
-                    "The command Quadric offset makes", lambda: setattr(self.obj, "Face", None)
+                    "The command Quadric Offset makes", lambda: setattr(self.obj, "Face", None)
                 )
 
     def test_circles_of_one_axis(self):

@@ -7,6 +7,7 @@ document opens, with its stored shapes, without it.
 
 from pnsurfaces.canal_surface import make_canal_surface
 from pnsurfaces.certificate_report import certificate, write_certificate
+from pnsurfaces.examples import open_example
 from pnsurfaces.export import export_step
 from pnsurfaces.quadric_offset import make_quadric_offset
 from pnsurfaces.ruled_offset import make_ruled_offset
@@ -17,5 +18,6 @@ __all__ = [
     "make_canal_surface",
     "make_quadric_offset",
     "make_ruled_offset",
+    "open_example",
     "write_certificate",
 ]

@@ -5,6 +5,7 @@ While something is shown, the faces are drawn from their own grid in front of th
 triangles, in the same group of the scene. Nothing is stored in the document.
 """
 
+import FreeCAD
 import numpy as np
 from pivy import coin
 
@@ -13,6 +14,8 @@ from pnsurfaces.curvature import combs, curved_patches, smallest_radius
 from pnsurfaces.face_grid import face_grid, lines
 from pnsurfaces.shape import own_shape
 from pnsurfaces.spline_grid import points_at
+
+translate = FreeCAD.Qt.translate
 
 CURVATURE = "curvature"
 GAUSS = "gauss"
@@ -172,7 +175,7 @@ class _Picture:
         yield from self._in_scale(
             nodes.STRENGTH, [np.log(np.maximum(value, low) / low) / octaves for value in values]
         )
-        text = f"smallest radius {found.radius:.4g} mm"
+        text = translate("PNSurfaces", "smallest radius {} mm").format(f"{found.radius:.4g}")
         yield nodes.label(found.point, text)
         radii = [(part, np.exp(-part * octaves) / low) for part in np.linspace(0, 1, 5)]
         marks = [(part, f"r = {radius:.4g} mm") for part, radius in radii]
@@ -187,7 +190,8 @@ class _Picture:
             [0.5 + np.sign(value) * np.sqrt(np.abs(value) / top) / 2 for value in values],
         )
         marks = [(0.5 + part / 2, f"{part * abs(part) * top:+.3g}") for part in (-1, -0.5, 0.5, 1)]
-        yield self._legend(nodes.SIGNED, "Gauss curvature, 1/mm²", [(0.5, "0"), *marks])
+        title = translate("PNSurfaces", "Gauss curvature, 1/mm²")
+        yield self._legend(nodes.SIGNED, title, [(0.5, "0"), *marks])
 
     def _legend(self, scale, title, marks):
         label = self._view_object.Object.Label

@@ -4,21 +4,22 @@
 import FreeCADGui
 
 from pnsurfaces import analysis
+from pnsurfaces.command import Command
 from pnsurfaces.compat import QtCore
 
 QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 
 
-class AnalysisCommand:
+class AnalysisCommand(Command):
     """Shows one kind of analysis of the selected surfaces, or hides it where all show it."""
+
+    page = "analysis_commands.md"
 
     def __init__(self, name, shown, menu_text, tooltip):
         self.name = name
+        self.menu_text = menu_text
+        self.tooltip = tooltip
         self._shown = shown
-        self._texts = {"Pixmap": name, "MenuText": menu_text, "ToolTip": tooltip}
-
-    def GetResources(self):
-        return self._texts
 
     def IsActive(self):
         return bool(selected_analyses())
@@ -44,19 +45,19 @@ def analysis_commands():
         AnalysisCommand(
             "PNSurfaces_CurvatureMap",
             analysis.CURVATURE,
-            QT_TRANSLATE_NOOP("PNSurfaces_CurvatureMap", "Curvature map"),
+            QT_TRANSLATE_NOOP("PNSurfaces_CurvatureMap", "Curvature Map"),
             QT_TRANSLATE_NOOP(
                 "PNSurfaces_CurvatureMap",
-                "Colours the selected surfaces by their smallest radius of curvature, on and off",
+                "Colours the selected surfaces by their smallest radius of curvature, on and off"
             ),
         ),
         AnalysisCommand(
             "PNSurfaces_GaussMap",
             analysis.GAUSS,
-            QT_TRANSLATE_NOOP("PNSurfaces_GaussMap", "Gauss curvature map"),
+            QT_TRANSLATE_NOOP("PNSurfaces_GaussMap", "Gauss Curvature Map"),
             QT_TRANSLATE_NOOP(
                 "PNSurfaces_GaussMap",
-                "Colours the selected surfaces by their Gauss curvature, on and off",
+                "Colours the selected surfaces by their Gauss curvature, on and off"
             ),
         ),
         AnalysisCommand(
@@ -65,35 +66,35 @@ def analysis_commands():
             QT_TRANSLATE_NOOP("PNSurfaces_Zebra", "Zebra"),
             QT_TRANSLATE_NOOP(
                 "PNSurfaces_Zebra",
-                "Shows the stripes that the selected surfaces reflect, on and off",
+                "Shows the stripes that the selected surfaces reflect, on and off"
             ),
         ),
         AnalysisCommand(
             "PNSurfaces_Combs",
             analysis.COMBS,
-            QT_TRANSLATE_NOOP("PNSurfaces_Combs", "Curvature combs"),
+            QT_TRANSLATE_NOOP("PNSurfaces_Combs", "Curvature Combs"),
             QT_TRANSLATE_NOOP(
                 "PNSurfaces_Combs",
                 "Shows combs of curvature along parameter lines of the selected surfaces,"
-                " on and off",
+                " on and off"
             ),
         ),
         AnalysisCommand(
             "PNSurfaces_ControlNet",
             analysis.CONTROL_NET,
-            QT_TRANSLATE_NOOP("PNSurfaces_ControlNet", "Control net"),
+            QT_TRANSLATE_NOOP("PNSurfaces_ControlNet", "Control Net"),
             QT_TRANSLATE_NOOP(
                 "PNSurfaces_ControlNet",
-                "Shows the poles of the selected surfaces, on and off",
+                "Shows the poles of the selected surfaces, on and off"
             ),
         ),
         AnalysisCommand(
             "PNSurfaces_ParameterLines",
             analysis.PARAMETER_LINES,
-            QT_TRANSLATE_NOOP("PNSurfaces_ParameterLines", "Parameter lines"),
+            QT_TRANSLATE_NOOP("PNSurfaces_ParameterLines", "Parameter Lines"),
             QT_TRANSLATE_NOOP(
                 "PNSurfaces_ParameterLines",
-                "Shows the parameter lines of the selected surfaces, on and off",
+                "Shows the parameter lines of the selected surfaces, on and off"
             ),
         ),
     ]

@@ -9,8 +9,11 @@ import FreeCADGui
 from pnsurfaces import kernel, preferences
 from pnsurfaces.analysis_commands import analysis_commands
 from pnsurfaces.certificate_panel import CertificatePanel
+from pnsurfaces.command import Command
 from pnsurfaces.compat import QtCore, QtWidgets
+from pnsurfaces.documentation import show_documentation
 from pnsurfaces.edge_chain import end, read_edge_chain, start
+from pnsurfaces.examples_dialog import ask_example
 from pnsurfaces.export_path import ask_export_path
 from pnsurfaces.panel import literal
 from pnsurfaces.selection import selected_face, selected_pair, selected_spine
@@ -30,19 +33,13 @@ _HALF_AXES = (40.0, 30.0, 20.0)
 _BOUNDS = {"MinX": -20.0, "MaxX": 20.0, "MinY": -15.0, "MaxY": 15.0, "MinZ": 0.0, "MaxZ": 20.0}
 
 
-class CreationCommand:
+class CreationCommand(Command):
     """Makes a surface of what is selected and opens its task panel.
 
     A subclass names it and turns the selection into the call that makes the surface.
     """
 
-    name = ""
-    menu_text = ""
-    tooltip = ""
     transaction = ""
-
-    def GetResources(self):
-        return {"Pixmap": self.name, "MenuText": self.menu_text, "ToolTip": self.tooltip}
 
     def IsActive(self):
         return FreeCAD.ActiveDocument is not None
@@ -86,11 +83,12 @@ class CanalSurfaceCommand(CreationCommand):
     """Makes a canal surface around the selected spine and opens its task panel."""
 
     name = "PNSurfaces_CanalSurface"
-    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_CanalSurface", "Canal surface…")
+    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_CanalSurface", "Canal Surface…")
     tooltip = QT_TRANSLATE_NOOP(
         "PNSurfaces_CanalSurface",
-        "Creates the exact pipe of varying radius around a spine, and its exact offsets",
+        "Creates the exact pipe of varying radius around a spine, and its exact offsets"
     )
+    page = "canal_surface_command.md"
     transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Canal surface")
 
     def creation(self, selection):
@@ -99,7 +97,7 @@ class CanalSurfaceCommand(CreationCommand):
             raise NothingSelected(
                 translate(
                     "PNSurfaces",
-                    "Select the spine first: edges of one object, a wire or a sketch.",
+                    "Select the spine first: edges of one object, a wire or a sketch."
                 )
             )
         return _call("make_canal_surface", literal(spine), repr(_start_radius(spine)))
@@ -109,11 +107,12 @@ class RuledOffsetCommand(CreationCommand):
     """Makes the offset of a ruled surface of the selection and opens its task panel."""
 
     name = "PNSurfaces_RuledOffset"
-    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_RuledOffset", "Ruled surface offset…")
+    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_RuledOffset", "Ruled Surface Offset…")
     tooltip = QT_TRANSLATE_NOOP(
         "PNSurfaces_RuledOffset",
-        "Creates the exact offset of the surface of straight lines between two curves",
+        "Creates the exact offset of the surface of straight lines between two curves"
     )
+    page = "ruled_offset_command.md"
     transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Ruled surface offset")
 
     def creation(self, selection):
@@ -125,7 +124,7 @@ class RuledOffsetCommand(CreationCommand):
             raise NothingSelected(
                 translate(
                     "PNSurfaces",
-                    "Select two edges, wires or sketches first, or one ruled face.",
+                    "Select two edges, wires or sketches first, or one ruled face."
                 )
             )
         return _call("make_ruled_offset", *map(literal, pair), Reversed=_run_apart(*pair))
@@ -135,11 +134,12 @@ class QuadricOffsetCommand(CreationCommand):
     """Makes the offset of a quadric, of the selected face if there is one, and opens its panel."""
 
     name = "PNSurfaces_QuadricOffset"
-    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_QuadricOffset", "Quadric offset…")
+    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_QuadricOffset", "Quadric Offset…")
     tooltip = QT_TRANSLATE_NOOP(
         "PNSurfaces_QuadricOffset",
-        "Creates the exact offset of an ellipsoid, hyperboloid, paraboloid, cone or cylinder",
+        "Creates the exact offset of an ellipsoid, hyperboloid, paraboloid, cone or cylinder"
     )
+    page = "quadric_offset_command.md"
     transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Quadric offset")
 
     def creation(self, selection):
@@ -149,20 +149,16 @@ class QuadricOffsetCommand(CreationCommand):
         return _call("make_quadric_offset", repr("Ellipsoid"), *map(repr, _HALF_AXES), **_BOUNDS)
 
 
-class ExportStepCommand:
+class ExportStepCommand(Command):
     """Writes the selected shapes to a STEP file that keeps every double."""
 
     name = "PNSurfaces_ExportStep"
-
-    def GetResources(self):
-        return {
-            "Pixmap": self.name,
-            "MenuText": QT_TRANSLATE_NOOP("PNSurfaces_ExportStep", "STEP export…"),
-            "ToolTip": QT_TRANSLATE_NOOP(
-                "PNSurfaces_ExportStep",
-                "Writes the selected objects to a STEP file that keeps every digit",
-            ),
-        }
+    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_ExportStep", "STEP Export…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "PNSurfaces_ExportStep",
+        "Writes the selected objects to a STEP file that keeps every digit"
+    )
+    page = "step_export_command.md"
 
     def IsActive(self):
         return bool(FreeCADGui.Selection.getSelection())
@@ -191,21 +187,16 @@ class ExportStepCommand:
             _explain(str(error))
 
 
-class CertificateCommand:
+class CertificateCommand(Command):
     """Shows the certificate of the selected objects in a panel."""
 
     name = "PNSurfaces_Certificate"
-
-    def GetResources(self):
-        return {
-            "Pixmap": self.name,
-            "MenuText": QT_TRANSLATE_NOOP("PNSurfaces_Certificate", "Certificate…"),
-            "ToolTip": QT_TRANSLATE_NOOP(
-                "PNSurfaces_Certificate",
-                "Shows what is proved and measured of the selected surfaces,"
-                " to read, copy and save",
-            ),
-        }
+    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_Certificate", "Certificate…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "PNSurfaces_Certificate",
+        "Shows what is proved and measured of the selected surfaces, to read, copy and save"
+    )
+    page = "certificate_command.md"
 
     def IsActive(self):
         return bool(FreeCADGui.Selection.getSelection()) and not FreeCADGui.Control.activeDialog()
@@ -219,6 +210,48 @@ class CertificateCommand:
         FreeCADGui.Control.showDialog(panel)
 
 
+class ExamplesCommand(Command):
+    """Shows the gallery of examples, and makes the one that is chosen."""
+
+    name = "PNSurfaces_Examples"
+    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_Examples", "Examples…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "PNSurfaces_Examples", "Opens a ready document from the gallery of examples"
+    )
+    page = "examples_command.md"
+
+    def IsActive(self):
+        return not FreeCADGui.Control.activeDialog()
+
+    def Activated(self):
+        try:
+            kernel.pnkernel()
+        except kernel.KernelMissing as error:
+            _explain(str(error))
+            return
+        name = ask_example(FreeCADGui.getMainWindow())
+        if name is None:
+            return
+        FreeCADGui.doCommand("import pnsurfaces")
+        FreeCADGui.doCommand(f"pnsurfaces.open_example({name!r})")
+        FreeCADGui.activeDocument().activeView().viewIsometric()
+        FreeCADGui.SendMsgToActiveView("ViewFit")
+
+
+class DocumentationCommand(Command):
+    """Opens the documentation."""
+
+    name = "PNSurfaces_Documentation"
+    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_Documentation", "Documentation")
+    tooltip = QT_TRANSLATE_NOOP(
+        "PNSurfaces_Documentation", "Shows what the commands do, and the theorems they rest on"
+    )
+    page = "README.md"
+
+    def Activated(self):
+        show_documentation(self.page)
+
+
 def register():
     """Makes the commands known to FreeCAD and returns their names, in the order of the toolbar."""
     return _registered(
@@ -228,6 +261,8 @@ def register():
             QuadricOffsetCommand(),
             CertificateCommand(),
             ExportStepCommand(),
+            ExamplesCommand(),
+            DocumentationCommand(),
         ]
     )
 

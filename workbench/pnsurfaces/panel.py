@@ -7,6 +7,7 @@ import FreeCAD
 import FreeCADGui
 
 from pnsurfaces import resources
+from pnsurfaces.choice_names import shown_choice
 from pnsurfaces.compat import QtGui, QtWidgets, connect
 from pnsurfaces.distance_handle import DistanceHandle
 from pnsurfaces.feature import SOLID, TWO_OFFSETS
@@ -35,6 +36,13 @@ def title(link):
     """What a link property leads to, for the user: "Box, Edge1"."""
     source, names = link
     return ", ".join([source.Label, *names])
+
+
+def offer(combo_box, choices, chosen):
+    """Fills a box with choices, under the names that they have in the window."""
+    combo_box.clear()
+    combo_box.addItems([shown_choice(choice) for choice in choices])
+    combo_box.setCurrentText(shown_choice(chosen))
 
 
 class TaskPanel:
@@ -231,9 +239,12 @@ class TaskPanel:
                 self._bind_quantity(widget, name)
 
     def _bind_enumeration(self, combo_box, name):
-        combo_box.addItems(self.feature.getEnumerationsOfProperty(name))
-        combo_box.setCurrentText(getattr(self.feature, name))
-        connect(combo_box, "currentTextChanged(QString)", lambda text: self.assign(name, text))
+        choices = self.feature.getEnumerationsOfProperty(name)
+        offer(combo_box, choices, getattr(self.feature, name))
+        chosen = {shown_choice(choice): choice for choice in choices}
+        connect(
+            combo_box, "currentTextChanged(QString)", lambda text: self.assign(name, chosen[text])
+        )
 
     def _bind_switch(self, check_box, name):
         check_box.setChecked(getattr(self.feature, name))

@@ -74,7 +74,7 @@ class Preview:
         self._is_stopped = False
         self._pause = _timer(DELAY, True, self.start)
         self._polling = _timer(_POLLING, False, self._fetch)
-        self._patience = _timer(LONG, True, changed)
+        self._patience = _timer(LONG, True, self._tell)
 
     def prepare(self):
         """Finds out what can be drawn, and changes nothing."""
@@ -137,6 +137,10 @@ class Preview:
         # In a circle of references the widgets would outlive their other half in C++, to be
         # mistaken for later widgets at the same address.
         self._changed = self._has_made = self._settled = _nothing
+
+    def _tell(self):
+        # The timer would keep what it calls, and so the widgets of the panel.
+        self._changed()
 
     def _inputs(self):
         return self._feature.Proxy.inputs_of(self._feature)

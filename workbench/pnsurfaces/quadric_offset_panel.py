@@ -6,7 +6,7 @@ import FreeCADGui
 
 from pnsurfaces.compat import connect
 from pnsurfaces.feature import deviation_text
-from pnsurfaces.panel import TaskPanel, load_form, title
+from pnsurfaces.panel import TaskPanel, load_form, offer, title
 from pnsurfaces.quadric_offset import (
     CHANGING,
     KINDS,
@@ -60,9 +60,7 @@ class QuadricOffsetPanel(TaskPanel):
         regions = kind.regions if kind else ()
         combo_box = self._inputs.Region
         combo_box.blockSignals(True)
-        combo_box.clear()
-        combo_box.addItems(list(dict.fromkeys([*regions, region])))
-        combo_box.setCurrentText(region)
+        offer(combo_box, dict.fromkeys([*regions, region]), region)
         combo_box.blockSignals(False)
 
     def _show_inputs(self):

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files that the workbench shows: icons and forms."""
+"""Files that the workbench shows: icons, forms, examples, translations and pages."""
 
 import pathlib
 
-_RESOURCES = pathlib.Path(__file__).resolve().parents[2] / "resources"
+_ROOT = pathlib.Path(__file__).resolve().parents[2]
+_RESOURCES = _ROOT / "resources"
 
 ICONS = str(_RESOURCES / "icons")
 
@@ -16,3 +17,13 @@ def icon(name):
 def form(name):
     """File name of the Qt form `name`."""
     return str(_RESOURCES / "ui" / f"{name}.ui")
+
+
+EXAMPLES = str(_RESOURCES / "examples")
+
+TRANSLATIONS = str(_RESOURCES / "translations")
+
+
+def page(name):
+    """File name of the page `name` of the documentation."""
+    return str(_ROOT / "docs" / name)

@@ -11,7 +11,7 @@ from pnsurfaces.ruled_face import RuledFace, read_ruled_face
 
 GROUP = "Ruled surface"
 
-_OTHER_COMMAND = "The command Quadric offset makes its exact offset."
+_OTHER_COMMAND = "The command Quadric Offset makes its exact offset."
 
 
 class RuledOffset(FeatureBase):

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The list of the examples: what the command Examples offers, the demo shows and the tests check.
+
+Another example is a script <name>.py with a function make_<name>() beside this file, an entry here, and
+its picture docs/images/<name>.png, which scripts/demo makes.
+"""
+
+from typing import NamedTuple
+
+import FreeCAD
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+
+class Example(NamedTuple):
+    """An example and what is shown of it.
+
+    `surfaces` are the names of the objects that are exported, the first one selected in the
+    pictures; `solids` are those among them that are fit for Boolean operations. The camera stands
+    at `azimuth` degrees about the vertical axis and `elevation` above the horizon.
+    """
+
+    name: str
+    title: str
+    sentence: str
+    surfaces: tuple
+    solids: tuple
+    azimuth: float
+    elevation: float
+
+
+EXAMPLES = (
+    Example(
+        "intake_horn",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Intake horn"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces",
+            "A runner that flares towards the air: the wall between two offsets of a pipe with"
+            " a radius at each point of its spine."
+        ),
+        ("Outer", "Inner", "Wall"), ("Wall",), 26, 27,
+    ),
+    Example(
+        "hose",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Hose"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces",
+            "A hollow hose between two fittings: a table of radii by arc length, and a bore of"
+            " one radius."
+        ),
+        ("Hose", "Bore"), ("Hose",), 30, 35,
+    ),
+    Example(
+        "reflector",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Reflector"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces",
+            "A dish of elliptic outline: an elliptic paraboloid and its shell of even thickness."
+        ),
+        ("Back", "Front", "Dish"), ("Dish",), 36, 30,
+    ),
+    Example(
+        "saddle_roof",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Saddle roof"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces", "A hyperbolic paraboloid of concrete, equally thick everywhere."
+        ),
+        ("Upper", "Lower", "Shell"), ("Shell",), 40, 24,
+    ),
+    Example(
+        "cooling_tower",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Cooling tower"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces",
+            "The wall of a one-sheet hyperboloid, equally thick from foot to rim."
+        ),
+        ("Outer", "Inner", "Wall"), ("Wall",), 40, 24,
+    ),
+    Example(
+        "twisted_blade",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Twisted blade"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces",
+            "A rotor of blades between two offsets of the ruled surface from root to tip."
+        ),
+        ("Suction", "Pressure", "Blade"), ("Blade", "Hub"), 30, 40,
+    ),
+    Example(
+        "tank",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Ellipsoidal tank"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces",
+            "A tank with three different half-axes: the wall between two offsets of an ellipsoid,"
+            " and its lining."
+        ),
+        ("Shell", "Lining", "Wall"), ("Wall",), 40, 24,
+    ),
+)
