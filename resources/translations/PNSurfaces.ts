@@ -712,6 +712,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Valid</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Values at vertices</source>
             <translation type="unfinished" />
         </message>

@@ -712,6 +712,10 @@
             <translation>Zweischaliges Hyperboloid</translation>
         </message>
         <message>
+            <source>Valid</source>
+            <translation>Gültig</translation>
+        </message>
+        <message>
             <source>Values at vertices</source>
             <translation>Werte an den Knoten</translation>
         </message>

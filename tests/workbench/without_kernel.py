@@ -9,6 +9,7 @@ sys.modules["pnkernel"] = None
 sys.modules["pnocct"] = None
 
 import FreeCAD  # noqa: E402
+from stored_documents_test import DOCUMENTS, features_of  # noqa: E402
 from support import DocumentTest, shape_data  # noqa: E402
 
 from pnsurfaces import kernel  # noqa: E402
@@ -26,3 +27,15 @@ class WithoutKernel(DocumentTest):
         self.assertEqual(shape_data(obj.Shape), data)
         with self.assertRaises(kernel.KernelMissing):
             kernel.pnocct()
+
+    def test_every_class_opens_with_its_shape(self):
+        for path in DOCUMENTS.glob("*.FCStd"):
+            document = FreeCAD.openDocument(str(path))
+            for obj in features_of(document):
+                with self.subTest(path.name):
+                    data = shape_data(obj.Shape)
+                    self.assertTrue(data)
+                    obj.touch()
+                    document.recompute()
+                    self.assert_error(obj, "The PN Surfaces kernel is not built.")
+                    self.assertEqual(shape_data(obj.Shape), data)

@@ -218,6 +218,7 @@ class FeatureBase:
     def execute(self, obj):
         """Makes the shape and the results; on failure keeps both and says why."""
         try:
+            self._require_known_schema(obj)
             shape, results = self._arrived() if self._arrived else self._computed(obj)
         except Exception as error:
             obj.Status = f"Error: {error}"
@@ -234,12 +235,29 @@ class FeatureBase:
             _show_second_distance(obj)
 
     def onDocumentRestored(self, obj):
-        """Adds the properties that the saving program did not know, and the digits it cut."""
-        self._add_missing_properties(obj)
+        """Adds the properties that the saving program did not know, and the digits it cut.
+
+        What a newer program saved is left as it is: its properties may mean something else.
+        """
         _restore_view_provider(obj)
+        if obj.SchemaVersion > self.schema_version:
+            obj.Status = f"Error: {self._newer(obj)}"
+            return
+        self._add_missing_properties(obj)
         if obj.Deviation:
             obj.DeviationBound = float(obj.Deviation.removesuffix(" mm"))
         self._restore_digits(obj)
+
+    def _require_known_schema(self, obj):
+        if obj.SchemaVersion > self.schema_version:
+            raise ValueError(self._newer(obj))
+
+    def _newer(self, obj):
+        return (
+            f"A newer version of PN Surfaces has saved {obj.Label} (schema {obj.SchemaVersion}, this"
+            f" one knows {self.schema_version}). Its shape stays as it is; update PN Surfaces to"
+            " change it."
+        )
 
     def _sections(self, inputs, base):
         surfaces = self.sections(inputs, base.surface)

@@ -10,7 +10,7 @@ from pnsurfaces import resources
 from pnsurfaces.choice_names import shown_choice
 from pnsurfaces.compat import QtGui, QtWidgets, connect
 from pnsurfaces.distance_handle import DistanceHandle
-from pnsurfaces.feature import SOLID, TWO_OFFSETS
+from pnsurfaces.feature import SOLID, TWO_OFFSETS, VALID
 from pnsurfaces.limits_bar import LimitsBar
 from pnsurfaces.preview import Preview
 from pnsurfaces.singular_marks import SingularMarks
@@ -211,6 +211,8 @@ class TaskPanel:
             return translate("PNSurfaces", "Stopped. The surface is that of earlier values.")
         if self._preview.is_long():
             return translate("PNSurfaces", "Computing…")
+        if self.feature.Status == VALID:
+            return translate("PNSurfaces", "Valid")
         if self.feature.isValid():
             return self.feature.Status
         return f"Error: {self.feature.getStatusString()}"

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Saves a document for each class of features in its present schema, for the tests of later ones.
+
+Run it once after a schema version was raised, and never change what it saved before:
+
+    scripts/freecadcmd -P tests/workbench tests/workbench/make_documents.py
+"""
+
+import FreeCAD
+import Part
+from stored_documents_test import DOCUMENTS
+from support import RADII, spline
+
+import pnsurfaces
+
+
+def save(make, stem):
+    """A document with the feature that make(document) makes, unless its schema has one."""
+    document = FreeCAD.newDocument()
+    obj = make(document)
+    path = DOCUMENTS / f"{stem}_schema_{obj.SchemaVersion}.FCStd"
+    if not path.exists():
+        document.saveAs(str(path))
+    FreeCAD.closeDocument(document.Name)
+
+
+def canal_surface(document):
+    spine = document.addObject("Part::Feature", "Spine")
+    spine.Shape = spline().toShape()
+    return pnsurfaces.make_canal_surface(
+        spine, ("Values at vertices", RADII), 0.3, Hollow="Wall thickness", WallThickness=0.5,
+        Output="Solid",
+    )
+
+
+def ruled_offset(document):
+    root = _bezier(document, "Root", [(0, -4, 0), (2, 0, 1), (0, 4, 3)])
+    tip = _bezier(document, "Tip", [(20, -6, 6), (24, 0, 2), (20, 6, 0)])
+    return pnsurfaces.make_ruled_offset(root, tip, 0.5, Sides="Both sides", Output="Solid")
+
+
+def _bezier(document, name, points):
+    curve = Part.BezierCurve()
+    curve.setPoles([FreeCAD.Vector(*point) for point in points])
+    source = document.addObject("Part::Feature", name)
+    source.Shape = curve.toShape()
+    return source
+
+
+def quadric_offset(document):
+    return pnsurfaces.make_quadric_offset(
+        "One-sheet hyperboloid", 3, 2, 4, 0.25, bounds={"z": (-3, 5)}, document=document,
+        Sides="Base and offset", Output="Solid",
+    )
+
+
+save(canal_surface, "canal_surface")
+save(ruled_offset, "ruled_offset")
+save(quadric_offset, "quadric_offset")

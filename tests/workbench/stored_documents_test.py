@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Documents of every schema version, which open for ever, and of versions that are yet to come."""
+
+import pathlib
+
+import FreeCAD
+from support import DocumentTest, shape_data
+
+import pnsurfaces
+
+DOCUMENTS = pathlib.Path(__file__).parent / "documents"
+
+
+def features_of(document):
+    """The exact surfaces in a document."""
+    return [obj for obj in document.Objects if "SchemaVersion" in obj.PropertiesList]
+
+
+class StoredDocuments(DocumentTest):
+    def test_they_open_and_compute_what_they_show(self):
+        for path in DOCUMENTS.glob("*.FCStd"):
+            document = FreeCAD.openDocument(str(path))
+            for obj in features_of(document):
+                with self.subTest(path.name):
+                    self.assertEqual(obj.SchemaVersion, obj.Proxy.schema_version)
+                    self.assertNotIn("Touched", obj.State)
+                    area = obj.Shape.Area
+                    obj.touch()
+                    document.recompute()
+                    self.assert_valid(obj)
+                    self.assertAlmostEqual(obj.Shape.Area / area, 1, delta=1e-12)
+
+    def test_every_class_has_one_of_its_present_schema(self):
+        stems = {path.stem for path in DOCUMENTS.glob("*.FCStd")}
+        for make, name in (
+            (lambda: pnsurfaces.make_canal_surface(self.line_object(), 1), "canal_surface"),
+            (lambda: pnsurfaces.make_quadric_offset("Ellipsoid", 3, 2, 1), "quadric_offset"),
+            (self._ruled_offset, "ruled_offset"),
+        ):
+            self.assertIn(f"{name}_schema_{make().SchemaVersion}", stems)
+
+    def _ruled_offset(self):
+        return pnsurfaces.make_ruled_offset(self.line_object(), self.spline_object(), 1)
+
+
+class NewerDocuments(DocumentTest):
+    def setUp(self):
+        super().setUp()
+        pipe = pnsurfaces.make_canal_surface(self.line_object(), 2, name="Pipe")
+        self.data = shape_data(pipe.Shape)
+        pipe.SchemaVersion = 1000
+        file = str(self.folder / "newer.FCStd")
+        self.document.saveAs(file)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(file)
+        self.pipe = self.document.Pipe
+
+    def test_the_shape_stays_and_the_status_says_why(self):
+        sentence = "A newer version of PN Surfaces has saved Pipe (schema 1000, this one knows"
+        self.assertIn(sentence, self.pipe.Status)
+        self.assertEqual(shape_data(self.pipe.Shape), self.data)
+        self.pipe.Radius = 3
+        self.document.recompute()
+        self.assert_error(self.pipe, sentence)
+        self.assertEqual(shape_data(self.pipe.Shape), self.data)
+
+    def test_it_is_saved_as_it_was(self):
+        self.assertEqual(self.pipe.SchemaVersion, 1000)
