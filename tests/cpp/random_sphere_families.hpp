@@ -5,9 +5,11 @@
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
 #include <array>
+#include <cmath>
 #include <cstdint>
-#include <ostream>
 #include <random>
+#include <sstream>
+#include <string>
 
 #include "pn/isotropic/quadratic_family.hpp"
 
@@ -69,11 +71,13 @@ class RandomSphereFamily {
   std::mt19937_64 random_;
 };
 
-inline std::ostream& operator<<(std::ostream& out, const ControlSpheres& spheres) {
+inline std::string text(const ControlSpheres& spheres) {
+  std::ostringstream out;
+  out.precision(17);
   for (const auto& s : spheres) {
     out << "(" << s[0] << ", " << s[1] << ", " << s[2] << "; " << s[3] << ") ";
   }
-  return out;
+  return out.str();
 }
 
 /// The family without the checks of a shape.
