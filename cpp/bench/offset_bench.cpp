@@ -35,12 +35,12 @@ void numbers_to_whole_faces(benchmark::State& state, const OffsetCase& offset) {
   state.counters["stated_deviation"] = deviation;
 }
 
-SectionNet net_of(const EnvelopeChain& chain) {
-  return at_sufficient_precision([&](long bits) { return SectionNet(chain, Lines::kEven, bits); });
+ChainNet net_of(const EnvelopeChain& chain) {
+  return at_sufficient_precision([&](long bits) { return ChainNet(chain, Lines::kEven, bits); });
 }
 
 void another_distance(benchmark::State& state, const OffsetCase& offset) {
-  const SectionNet net = net_of(chain_of(offset.base));
+  const ChainNet net = net_of(chain_of(offset.base));
   double distance = offset.distance;
   for (auto _ : state) {
     distance += 1.0 / 1024;
@@ -51,7 +51,7 @@ void another_distance(benchmark::State& state, const OffsetCase& offset) {
 /// The trims of all faces, and how far they are off.
 void edges(benchmark::State& state, const OffsetCase& offset) {
   const EnvelopeChain chain = chain_of(offset.base);
-  const SectionNet net = net_of(chain);
+  const ChainNet net = net_of(chain);
   const std::vector<RoundedFace> faces = net.section(offset.distance);
   for (auto _ : state) {
     double deviation = 0;

@@ -24,7 +24,7 @@ EnvelopeChain chain_of(const OffsetBase& base) {
 
 std::vector<RoundedFace> whole_faces(const EnvelopeChain& chain, double distance) {
   return at_sufficient_precision(
-      [&](long bits) { return SectionNet(chain, Lines::kEven, bits).section(distance); });
+      [&](long bits) { return ChainNet(chain, Lines::kEven, bits).section(distance); });
 }
 
 }  // namespace pn::bench

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "pn/bezier/section_net.hpp"
+#include "pn/bezier/chain_net.hpp"
 #include "quadric_cases.hpp"
 #include "ruled_cases.hpp"
 

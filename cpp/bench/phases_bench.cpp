@@ -5,8 +5,8 @@
 #include "canal_cases.hpp"
 #include "pn/algebra/precision.hpp"
 #include "pn/algebra/roots.hpp"
+#include "pn/bezier/chain_net.hpp"
 #include "pn/bezier/offset_limits.hpp"
-#include "pn/bezier/section_net.hpp"
 #include "pn/isotropic/along_curve.hpp"
 #include "pn/shapes/canal_surface.hpp"
 
@@ -79,13 +79,13 @@ BENCHMARK(phase_lines)->Apply(for_both_degrees);
 void phase_net(benchmark::State& state) {
   const EnvelopeChain chain = chain_for(state);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(SectionNet(chain, Lines::kEven, kLeastPrecision));
+    benchmark::DoNotOptimize(ChainNet(chain, Lines::kEven, kLeastPrecision));
   }
 }
 BENCHMARK(phase_net)->Apply(for_both_degrees);
 
 void phase_rounding(benchmark::State& state) {
-  const SectionNet net(chain_for(state), Lines::kEven, kLeastPrecision);
+  const ChainNet net(chain_for(state), Lines::kEven, kLeastPrecision);
   for (auto _ : state) benchmark::DoNotOptimize(net.section(0));
 }
 BENCHMARK(phase_rounding)->Apply(for_both_degrees);

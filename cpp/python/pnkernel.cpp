@@ -8,11 +8,14 @@
 
 #include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/cancellation.hpp"
+#include "pn/algebra/parallel.hpp"
 #include "pn/bezier/pn_surface.hpp"
+#include "pn/bezier/skin.hpp"
 #include "pn/geometry_error.hpp"
 #include "pn/shapes/canal_surface.hpp"
 #include "pn/shapes/quadric.hpp"
 #include "pn/shapes/ruled_surface.hpp"
+#include "pn/shapes/sphere_family.hpp"
 
 namespace py = pybind11;
 
@@ -162,6 +165,26 @@ pn::QuadricBounds bounds_of(const std::optional<Bounds>& bounds) {
     }
   }
   return result;
+}
+
+std::array<std::array<double, 4>, 6> spheres_of(const Array& array) {
+  if (array.ndim() != 2 || array.shape(0) != 6 || array.shape(1) != 4) {
+    throw wrong_shape("The control spheres must be an array of shape (6, 4).");
+  }
+  std::array<std::array<double, 4>, 6> spheres;
+  for (std::size_t i = 0; i < 6; ++i) std::copy_n(array.data() + 4 * i, 4, spheres[i].begin());
+  return spheres;
+}
+
+/// Without the interpreter's lock, since it takes time.
+std::array<pn::PNSurface, 2> skins_of(const pn::SphereFamily& family) {
+  const py::gil_scoped_release release;
+  std::array<std::shared_ptr<const pn::Skin>, 2> skins;
+  pn::for_each_index(2, [&](std::size_t i) {
+    const pn::Sheet sheet = i == 0 ? pn::Sheet::kOuter : pn::Sheet::kInner;
+    skins[i] = std::make_shared<const pn::Skin>(family.family, sheet, family.notes);
+  });
+  return {pn::PNSurface(skins[0]), pn::PNSurface(skins[1])};
 }
 
 void define_error(py::module_& module) {
@@ -484,6 +507,31 @@ void define_surface(py::module_& module) {
 
 }  // namespace
 
+void define_sphere_family(py::module_& module) {
+  using Family = pn::SphereFamily;
+  py::class_<Family>(module, "SphereFamily",
+                     "A two-parameter family of spheres f(u, v) = (m, r) over the triangle u, v >= "
+                     "0, u + v <= 1: a mid-surface m with half thickness r.")
+      .def_property_readonly(
+          "skins",
+          [](const Family& family) {
+            const auto [outer, inner] = skins_of(family);
+            return py::make_tuple(outer, inner);
+          },
+          "The two PNSurfaces m + r n: the outer one, whose normal n is on the side of m_u x m_v, "
+          "and the inner one. Both normals point away from the mid-surface, so offsets d > 0 "
+          "thicken. Raises GeometryError.")
+      .def_readonly("notes", &Family::notes, "What to know of the family, in sentences.");
+
+  module.def(
+      "sphere_family",
+      [](const Array& control_spheres) { return pn::sphere_family(spheres_of(control_spheres)); },
+      py::arg("control_spheres"),
+      "The family of six spheres (6, 4), centre and radius in mm, in the order b200, b110, b020, "
+      "b101, b011, b002: the control points of a quadratic triangular Bezier surface. Raises "
+      "GeometryError where it has no real envelope.");
+}
+
 PYBIND11_MODULE(pnkernel, module) {
   module.doc() = "Exact offset surfaces with rational unit normals. Millimetres, NumPy arrays.";
   define_error(module);
@@ -491,4 +539,5 @@ PYBIND11_MODULE(pnkernel, module) {
   define_inputs(module);
   define_outputs(module);
   define_surface(module);
+  define_sphere_family(module);
 }

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "pn/bezier/chain_net.hpp"
 #include "pn/bezier/evaluation.hpp"
-#include "pn/bezier/section_net.hpp"
 #include "pn/shapes/canal_surface.hpp"
 
 using namespace pn;
@@ -22,7 +22,7 @@ Face horn() {
   const Curve spine = Curve::bspline(
       {3, {0, 1, 2}, {4, 1, 4}, {{0, 0, 0}, {2, 0, 0}, {4, 2, 1}, {5, 5, 0}, {5, 8, -1}}, {}});
   const Law radius = Law::bspline({3, {0, 1, 2}, {4, 1, 4}, {{1}, {1.2}, {0.8}, {1}, {1.5}}, {}});
-  const SectionNet net(canal_surface(spine, radius), Lines::kEven, 128);
+  const ChainNet net(canal_surface(spine, radius), Lines::kEven, 128);
   return {net.section(0.25).front().surface, net.normals().front()};
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "error_code.hpp"
+#include "pn/bezier/chain_net.hpp"
 #include "pn/bezier/evaluation.hpp"
 #include "pn/bezier/parameter_curve.hpp"
 #include "random_quadrics.hpp"
@@ -338,7 +339,7 @@ class QuadricConcept {
     const std::vector<BSplineSurface> faces = surface_.faces(Lines::kEven);
     const Certificate certificate = surface_.certificate(Lines::kEven);
     CHECK(certificate.exact);
-    const SectionNet net(chain_, Lines::kEven, certificate.precision_bits);
+    const ChainNet net(chain_, Lines::kEven, certificate.precision_bits);
     for (const BSplineSurface& face : faces) {
       check_plain_data(face);
     }
@@ -357,12 +358,12 @@ class QuadricConcept {
   double uniform() { return std::uniform_real_distribution<double>()(random_); }
 
   /// Faces that meet share a row or a column of control points, bit for bit.
-  static void check_neighbours(const SectionNet& net) {
+  static void check_neighbours(const ChainNet& net) {
     const std::vector<RoundedFace> faces = net.section(0);
     for (std::size_t i = 0; i < faces.size(); ++i) {
       for (std::size_t j = 0; j < faces.size(); ++j) {
         const BSplineSurface &a = faces[i].surface, &b = faces[j].surface;
-        const bool is_around = net.faces()[i].arcs > 0;
+        const bool is_around = net.places()[i].arcs > 0;
         if (is_around && a.u_knots == b.u_knots &&
             std::fmod(a.v_knots.back(), 4) == b.v_knots.front()) {
           CHECK((column(a, a.v_count() - 1) == column(b, 0)));
@@ -493,7 +494,7 @@ class QuadricConcept {
   }
 
   /// Identities, equation and certificate at random points.
-  void check_points(const PNSurface& surface, const SectionNet& net) {
+  void check_points(const PNSurface& surface, const ChainNet& net) {
     const Certificate certificate = surface.certificate(Lines::kEven);
     const std::vector<BSplineSurface> faces = surface.faces(Lines::kEven);
     const std::vector<LinedSegment>& segments = net.segments();
@@ -505,7 +506,7 @@ class QuadricConcept {
     REQUIRE(segment != segments.end());
     const double first = face.v_knots.front(), last = face.v_knots.back();
     const double v = first + unit() * (last - first);
-    const int arcs = net.faces().front().arcs;
+    const int arcs = net.places().front().arcs;
     const Place u = arcs == 0 ? Place(1 - v, v) : Place(circle_point(v, arcs));
     check_equation(*segment, unit(), u.x(), u.y(), net.precision());
     const double at = segment->begin + unit() * (segment->end - segment->begin);
@@ -514,8 +515,8 @@ class QuadricConcept {
   }
 
   /// The columns of a face, over its own knots across or fewer.
-  CircleColumns columns_of(const BSplineSurface& face, const SectionNet& net) const {
-    const int arcs = net.faces().front().arcs;
+  CircleColumns columns_of(const BSplineSurface& face, const ChainNet& net) const {
+    const int arcs = net.places().front().arcs;
     if (arcs == 0) return straight_band(1, face.v_degree);
     return circle_part(static_cast<int>(face.v_knots.front()),
                        static_cast<int>(face.v_knots.back()), arcs, face.v_degree / 2);

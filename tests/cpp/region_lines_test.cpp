@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "pn/algebra/precision.hpp"
+#include "pn/bezier/chain_net.hpp"
 #include "pn/bezier/parameter_lines.hpp"
-#include "pn/bezier/section_net.hpp"
 #include "pn/shapes/quadric.hpp"
 
 using namespace pn;
@@ -128,11 +128,11 @@ TEST_CASE("The larger part holds what goes on beyond the split", "[region_lines]
 
 TEST_CASE("Faces follow the region with few poles", "[region_lines]") {
   const Region cap = hyperboloid(2, 3);
-  const SectionNet net(cap.chain, Lines::kEven, 128);
+  const ChainNet net(cap.chain, Lines::kEven, 128);
   REQUIRE(net.faces().size() == 1);
   CHECK(net.faces()[0].frame.u_degree == 12);
   CHECK(net.faces()[0].frame.v_degree == 4);
-  const SectionNet tall(hyperboloid(2, 5).chain, Lines::kEven, 128);
+  const ChainNet tall(hyperboloid(2, 5).chain, Lines::kEven, 128);
   REQUIRE(tall.faces().size() >= 3);
   CHECK(tall.segments()[0].around == Around::kUnequalParts);
   CHECK(tall.segments()[1].around == Around::kLargerPart);

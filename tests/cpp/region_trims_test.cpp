@@ -15,7 +15,7 @@ using Point = std::array<double, 2>;
 
 struct Faces {
   EnvelopeChain chain;
-  SectionNet net{chain, Lines::kEven, 128};
+  ChainNet net{chain, Lines::kEven, 128};
   std::vector<TrimmedFace> trimmed = region_faces(chain, net);
 };
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "pn/bezier/chain_net.hpp"
 #include "pn/bezier/evaluation.hpp"
 #include "pn/bezier/parameter_curve.hpp"
 #include "pn/isotropic/along_rulings.hpp"
@@ -261,7 +262,7 @@ class RuledConcept {
     const std::vector<BSplineSurface> faces = surface.faces(lines);
     const Certificate certificate = surface.certificate(lines);
     CHECK(certificate.exact);
-    const SectionNet& net = net_of(lines, certificate.precision_bits);
+    const ChainNet& net = net_of(lines, certificate.precision_bits);
     const std::vector<LinedSegment>& segments = net.segments();
     const auto of_face = strips(segments);
     REQUIRE(faces.size() == of_face.size());
@@ -299,8 +300,8 @@ class RuledConcept {
   }
 
   /// The net behind the faces, made once for all distances.
-  const SectionNet& net_of(Lines lines, long precision) {
-    std::optional<SectionNet>& net = nets_[lines];
+  const ChainNet& net_of(Lines lines, long precision) {
+    std::optional<ChainNet>& net = nets_[lines];
     if (!net || net->precision() != precision) net.emplace(chain_, lines, precision);
     return *net;
   }
@@ -377,7 +378,7 @@ class RuledConcept {
   bool cones_;
   EnvelopeChain chain_;
   PNSurface surface_;
-  std::map<Lines, std::optional<SectionNet>> nets_;
+  std::map<Lines, std::optional<ChainNet>> nets_;
   std::mt19937_64 random_;
 };
 

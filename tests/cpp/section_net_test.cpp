@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "enclosures.hpp"
-#include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/roots.hpp"
+#include "pn/bezier/chain_net.hpp"
 #include "pn/bezier/evaluation.hpp"
 #include "pn/shapes/canal_surface.hpp"
 
@@ -34,73 +34,13 @@ EnvelopeChain mended_chain() {
       Law::constant(0.1));
 }
 
-/// The Bezier rows of a segment at this degree, for one column of the circle: homogeneous points.
-std::vector<Homogeneous> bezier_rows(const LinedSegment& segment, int degree,
-                                     const std::vector<Rational>& column) {
-  const HomogeneousSections<RealBall>& forms = segment.sections;
-  std::vector<Homogeneous> rows(static_cast<std::size_t>(degree) + 1);
-  const auto set = [&](std::size_t i, const FormInU<RealBall>& q) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto bernstein = to_bernstein(q.coefficient[k].elevated(degree).coefficients());
-      for (std::size_t r = 0; r < rows.size(); ++r) {
-        rows[r].coordinate[i] += bernstein[r] * RealBall(column[k], 128);
-      }
-    }
-  };
-  for (std::size_t i = 0; i < 3; ++i) set(i, forms.point[i]);
-  set(3, forms.weight);
-  return rows;
-}
-
 }  // namespace
 
-TEST_CASE(
-    "The control rows are the Bezier rows of the segments, the joint a mean of its neighbours",
-    "[section_net]") {
-  const EnvelopeChain chain = smooth_chain();
-  const SectionNet net(chain, Lines::kEven, 128);
-  const auto segments = lined_segments(chain, Lines::kEven, 128);
-  REQUIRE(net.faces().size() == 1);
-  const FaceNet& face = net.faces().front();
-  const int degree = face.frame.u_degree;
-  const std::size_t columns = face.frame.v_count();
-  REQUIRE(face.poles.size() == face.frame.u_count() * columns);
-  const int arcs = static_cast<int>(face.frame.v_knots.size()) - 1;
-  const CircleColumns circle = circle_part(0, arcs, arcs, 2);
-
-  for (const std::size_t j : {std::size_t{0}, std::size_t{2}, columns - 2}) {
-    std::size_t row = 0;
-    for (std::size_t s = 0; s < segments.size(); ++s) {
-      const auto bezier = bezier_rows(segments[s], degree, circle.coefficients[j]);
-      for (std::size_t r = s == 0 ? 0 : 1;
-           r + 1 < bezier.size() || (s + 1 == segments.size() && r < bezier.size()); ++r, ++row) {
-        const NetPole& pole = face.poles[row * columns + j];
-        CHECK(pole.weight.overlaps(bezier[r].coordinate[3]));
-        for (std::size_t i = 0; i < 3; ++i) {
-          CHECK(pole.point[i].overlaps(bezier[r].coordinate[i] / bezier[r].coordinate[3]));
-        }
-      }
-      if (s == 0) continue;
-      // C1: (right - joint) / length is the same on both sides, homogeneously.
-      const auto left = bezier_rows(segments[s - 1], degree, circle.coefficients[j]);
-      const RealBall a(segments[s - 1].end - segments[s - 1].begin),
-          b(segments[s].end - segments[s].begin);
-      for (std::size_t i = 0; i < 4; ++i) {
-        const RealBall &before = left[left.size() - 2].coordinate[i],
-                       &joint = bezier[0].coordinate[i], &after = bezier[1].coordinate[i];
-        CHECK(encloses_zero(left.back().coordinate[i] - joint, 1e-9));
-        CHECK(encloses_zero((joint - before) * b - (after - joint) * a, 1e-9));
-      }
-    }
-    CHECK(row == face.frame.u_count());
-  }
-}
-
 TEST_CASE("Every weight is positive and every pole is known to the last place", "[section_net]") {
-  const std::vector<SectionNet> nets = {SectionNet(smooth_chain(), Lines::kEven, 128),
-                                        SectionNet(cornered_chain(), Lines::kEven, 128),
-                                        SectionNet(cornered_chain(), Lines::kLowestDegree, 128)};
-  for (const SectionNet& net : nets) {
+  const std::vector<ChainNet> nets = {ChainNet(smooth_chain(), Lines::kEven, 128),
+                                      ChainNet(cornered_chain(), Lines::kEven, 128),
+                                      ChainNet(cornered_chain(), Lines::kLowestDegree, 128)};
+  for (const ChainNet& net : nets) {
     for (const FaceNet& face : net.faces()) {
       for (const NetPole& pole : face.poles) {
         CHECK(pole.weight.is_positive());
@@ -112,7 +52,7 @@ TEST_CASE("Every weight is positive and every pole is known to the last place", 
 
 TEST_CASE("Poles of a section are P + d V, rounded to within one unit in the last place",
           "[section_net]") {
-  const SectionNet net(smooth_chain(), Lines::kEven, 128);
+  const ChainNet net(smooth_chain(), Lines::kEven, 128);
   const double d = 0.3;
   const auto face = net.section(d).front();
   const auto& poles = net.faces().front().poles;
@@ -130,7 +70,7 @@ TEST_CASE("Poles of a section are P + d V, rounded to within one unit in the las
 
 TEST_CASE("The certificate bounds the distance to the surface of the net itself", "[section_net]") {
   for (const EnvelopeChain& chain : {smooth_chain(), cornered_chain(), mended_chain()}) {
-    const SectionNet net(chain, Lines::kEven, 128);
+    const ChainNet net(chain, Lines::kEven, 128);
     const auto rounded = net.section(0.125);
     for (std::size_t f = 0; f < rounded.size(); ++f) {
       const BSplineSurface& surface = rounded[f].surface;
@@ -160,22 +100,8 @@ TEST_CASE("The certificate bounds the distance to the surface of the net itself"
   }
 }
 
-TEST_CASE("A gap that was closed up is counted in the deviation, and the faces share their row",
-          "[section_net]") {
-  const auto faces = SectionNet(mended_chain(), Lines::kEven, 128).section(0);
-  REQUIRE(faces.size() == 2);
-  const BSplineSurface &left = faces[0].surface, &right = faces[1].surface;
-  const auto columns = static_cast<std::ptrdiff_t>(right.v_count());
-  CHECK(std::equal(left.poles.end() - columns, left.poles.end(), right.poles.begin()));
-  CHECK(std::equal(left.weights.end() - columns, left.weights.end(), right.weights.begin()));
-  // The circles of radius 0.1 differ by the turn of 1e-9.
-  const double deviation = std::max(faces[0].deviation, faces[1].deviation);
-  CHECK(deviation >= 1e-10);
-  CHECK(deviation < 1e-8);
-}
-
 TEST_CASE("Normals are unit vectors on the sphere, in doubles", "[section_net]") {
-  const SectionNet net(smooth_chain(), Lines::kEven, 128);
+  const ChainNet net(smooth_chain(), Lines::kEven, 128);
   const BSplineSurface normals = net.normals().front();
   for (const double u : {0.0, 0.6, 1.0, 2.9}) {
     for (const double v : {0.0, 1.5, 3.2}) {
@@ -191,6 +117,6 @@ TEST_CASE("Too little precision is undecided, not wrong", "[section_net]") {
   const EnvelopeChain chain =
       canal_surface(Curve::bezier({{0, 0, 0}, {1, 0.5, kTiny}, {2, 0, -kTiny}, {3, 1, kTiny}}),
                     Law::constant(0.2));
-  CHECK_THROWS_AS(SectionNet(chain, Lines::kEven, 128).section(-0.2), Undecided);
-  CHECK_NOTHROW(SectionNet(chain, Lines::kEven, 256).section(-0.2));
+  CHECK_THROWS_AS(ChainNet(chain, Lines::kEven, 128).section(-0.2), Undecided);
+  CHECK_NOTHROW(ChainNet(chain, Lines::kEven, 256).section(-0.2));
 }

@@ -40,7 +40,7 @@ double distance(const Point& a, const Point& b) {
 struct Band {
   Curve first = Curve::bspline(kFirst), second = Curve::bspline(kSecond);
   EnvelopeChain chain = ruled_surface(first, second);
-  SectionNet net{chain, Lines::kEven, 128};
+  ChainNet net{chain, Lines::kEven, 128};
   std::vector<TrimmedFace> trimmed = trimmed_faces(chain, net);
   std::vector<RoundedFace> faces = net.section(0);
 };
@@ -122,7 +122,7 @@ TEST_CASE("The deviation is how far edges leave their paths", "[trimming]") {
 TEST_CASE("Whole faces have no trims", "[trimming]") {
   const EnvelopeChain pipe =
       canal_surface(Curve::bezier({{0, 0, 0}, {1, 1, 0}, {2, 0, 1}}), Law::constant(0.25));
-  const SectionNet net(pipe, Lines::kEven, 128);
+  const ChainNet net(pipe, Lines::kEven, 128);
   for (const TrimmedFace& face : trimmed_faces(pipe, net)) {
     CHECK(face.loops.empty());
     CHECK(trim_deviation(net.section(0)[0].surface, face) == 0);

@@ -37,4 +37,10 @@ Rational& Rational::operator/=(const Rational& other) {
   return *this;
 }
 
+Rational common_denominator(const Rational& a, const Rational& b) {
+  Rational result;
+  fmpz_lcm(fmpq_numref(result.flint()), fmpq_denref(a.flint()), fmpq_denref(b.flint()));
+  return result;
+}
+
 }  // namespace pn

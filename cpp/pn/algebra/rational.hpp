@@ -70,4 +70,7 @@ class Rational {
   fmpq_t value_;
 };
 
+/// The least positive integer n for which n a and n b are integers.
+Rational common_denominator(const Rational& a, const Rational& b);
+
 }  // namespace pn

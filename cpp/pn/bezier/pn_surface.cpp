@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "pn/algebra/precision.hpp"
+#include "pn/bezier/chain_source.hpp"
 #include "pn/bezier/evaluation.hpp"
-#include "pn/bezier/trimming.hpp"
 #include "pn/geometry_error.hpp"
 
 namespace pn {
@@ -26,32 +26,31 @@ struct NetTrims {
 
 /// What all offsets have in common.
 struct PNSurface::Shared {
-  explicit Shared(EnvelopeChain envelope_chain) : chain(std::move(envelope_chain)) {}
+  explicit Shared(std::shared_ptr<const SectionSource> section_source)
+      : source(std::move(section_source)) {}
 
-  const EnvelopeChain chain;
+  const std::shared_ptr<const SectionSource> source;
   std::mutex mutex;
-  std::array<std::shared_ptr<const SectionNet>, 2> nets;
+  std::array<std::optional<TrimmableNet>, 2> nets;
   std::array<NetTrims, 2> edges;
   std::optional<OffsetRange> range;
 
   /// The net at this precision or a higher one that was needed before.
-  std::shared_ptr<const SectionNet> net(Lines lines, long precision) {
+  TrimmableNet net(Lines lines, long precision) {
     const std::lock_guard<std::mutex> lock(mutex);
-    std::shared_ptr<const SectionNet>& net = nets[index_of(lines)];
-    if (!net || net->precision() < precision) {
-      net = std::make_shared<SectionNet>(chain, lines, precision);
-    }
-    return net;
+    std::optional<TrimmableNet>& known = nets[index_of(lines)];
+    if (!known || known->net->precision() < precision) known = source->net(lines, precision);
+    return *known;
   }
 
   /// The edges of the faces of this net.
-  std::shared_ptr<const std::vector<TrimmedFace>> trimmed_faces(
-      Lines lines, const std::shared_ptr<const SectionNet>& net) {
+  std::shared_ptr<const std::vector<TrimmedFace>> trimmed_faces(Lines lines,
+                                                                const TrimmableNet& trimmable) {
     const std::lock_guard<std::mutex> lock(mutex);
     NetTrims& known = edges[index_of(lines)];
-    if (known.net != net) {
-      known = {net,
-               std::make_shared<const std::vector<TrimmedFace>>(pn::trimmed_faces(chain, *net))};
+    if (known.net != trimmable.net) {
+      known = {trimmable.net,
+               std::make_shared<const std::vector<TrimmedFace>>(trimmable.trimmed_faces())};
     }
     return known.faces;
   }
@@ -77,7 +76,10 @@ struct PNSurface::Section {
 };
 
 PNSurface::PNSurface(EnvelopeChain chain)
-    : shared_(std::make_shared<Shared>(std::move(chain))),
+    : PNSurface(std::make_shared<const ChainSource>(std::move(chain))) {}
+
+PNSurface::PNSurface(std::shared_ptr<const SectionSource> source)
+    : shared_(std::make_shared<Shared>(std::move(source))),
       sections_(std::make_shared<std::array<std::shared_ptr<const Section>, 2>>()) {}
 
 PNSurface PNSurface::offset(double d) const {
@@ -90,20 +92,11 @@ PNSurface PNSurface::offset(double d) const {
   return result;
 }
 
-std::array<int, 2> PNSurface::degree() const {
-  std::array<int, 2> degree = {0, 0};
-  for (const ChainLink& link : shared_->chain.links) {
-    degree[0] = std::max(degree[0], link.envelope.degree());
-    degree[1] = std::max(degree[1], link.envelope.degree_around());
-  }
-  return degree;
-}
+std::array<int, 2> PNSurface::degree() const { return shared_->source->degree(); }
 
 OffsetRange PNSurface::regular_range() const {
   const std::lock_guard<std::mutex> lock(shared_->mutex);
-  if (!shared_->range) {
-    shared_->range = pn::regular_range(shared_->chain, default_tolerance(shared_->chain));
-  }
+  if (!shared_->range) shared_->range = shared_->source->regular_range();
   return *shared_->range;
 }
 
@@ -111,9 +104,9 @@ std::shared_ptr<const PNSurface::Section> PNSurface::section(Lines lines) const 
   std::shared_ptr<const Section>& slot = (*sections_)[index_of(lines)];
   if (const auto known = std::atomic_load(&slot)) return known;
   const auto rounded = at_sufficient_precision([&](long precision) {
-    const auto net = shared_->net(lines, precision);
-    Section section{net->section(distance_), {}, {}, 0, net};
-    for (const TrimmedFace& face : *shared_->trimmed_faces(lines, net)) {
+    const TrimmableNet trimmable = shared_->net(lines, precision);
+    Section section{trimmable.net->section(distance_), {}, {}, 0, trimmable.net};
+    for (const TrimmedFace& face : *shared_->trimmed_faces(lines, trimmable)) {
       BSplineSurface surface = section.faces[face.net_face].surface;
       section.trim_deviation = std::max(section.trim_deviation, trim_deviation(surface, face));
       surface.trims = curves_of(face);
@@ -130,8 +123,14 @@ std::vector<BSplineSurface> PNSurface::faces(Lines lines) const { return section
 
 Certificate PNSurface::certificate(Lines lines) const {
   const auto rounded = section(lines);
-  Certificate certificate{0, rounded->net->precision(), shared_->chain.exact,   {0, 0},
-                          0, shared_->chain.notes,      rounded->trim_deviation};
+  const SectionSource& source = *shared_->source;
+  Certificate certificate{0,
+                          rounded->net->precision(),
+                          source.is_exact(),
+                          {0, 0},
+                          0,
+                          source.notes(),
+                          rounded->trim_deviation};
   for (const RoundedFace& face : rounded->faces) {
     certificate.deviation = std::max(certificate.deviation, face.deviation);
   }

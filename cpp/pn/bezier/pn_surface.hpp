@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "pn/bezier/offset_limits.hpp"
-#include "pn/bezier/section_net.hpp"
+#include "pn/bezier/section_source.hpp"
 #include "pn/bezier/self_intersection.hpp"
 
 namespace pn {
@@ -37,6 +37,7 @@ struct SurfacePoint {
 class PNSurface {
  public:
   explicit PNSurface(EnvelopeChain chain);
+  explicit PNSurface(std::shared_ptr<const SectionSource> source);
 
   /// The surface at distance() + d [mm], on the side of the normal for d > 0. Throws GeometryError
   /// when d is not finite.

@@ -37,8 +37,8 @@ constexpr double kParameterTolerance = 1e-12;
 /// The parameters (t, v) of the points of a region, common to all its faces.
 class RegionParameters {
  public:
-  RegionParameters(const BoundedRegion& region, const SectionNet& net)
-      : region_(region), segments_(net.segments()), arcs_(net.faces().front().arcs) {}
+  RegionParameters(const BoundedRegion& region, const ChainNet& net)
+      : region_(region), segments_(net.segments()), arcs_(net.places().front().arcs) {}
 
   bool is_closed() const { return arcs_ > 0; }
   /// Between the arcs around; beyond one, paths are only once differentiable.
@@ -210,7 +210,7 @@ std::vector<std::vector<TrimEdgeLoop>> grouped(std::vector<TrimEdgeLoop> loops) 
 
 class RegionTrimmer {
  public:
-  RegionTrimmer(const EnvelopeChain& chain, const SectionNet& net)
+  RegionTrimmer(const EnvelopeChain& chain, const ChainNet& net)
       : region_(std::get<BoundedRegion>(chain.extent)),
         net_(net),
         parameters_(std::make_shared<RegionParameters>(region_, net)) {
@@ -436,14 +436,14 @@ class RegionTrimmer {
   }
 
   const BoundedRegion& region_;
-  const SectionNet& net_;
+  const ChainNet& net_;
   std::shared_ptr<const RegionParameters> parameters_;
   std::vector<Stretch> stretches_;
 };
 
 }  // namespace
 
-std::vector<TrimmedFace> region_faces(const EnvelopeChain& chain, const SectionNet& net) {
+std::vector<TrimmedFace> region_faces(const EnvelopeChain& chain, const ChainNet& net) {
   return RegionTrimmer(chain, net).faces();
 }
 

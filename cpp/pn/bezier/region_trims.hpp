@@ -15,6 +15,6 @@
 namespace pn {
 
 /// The faces of a chain whose extent is a BoundedRegion.
-std::vector<TrimmedFace> region_faces(const EnvelopeChain& chain, const SectionNet& net);
+std::vector<TrimmedFace> region_faces(const EnvelopeChain& chain, const ChainNet& net);
 
 }  // namespace pn

@@ -19,11 +19,11 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "pn/algebra/ball.hpp"
 #include "pn/bezier/bspline_surface.hpp"
-#include "pn/bezier/parameter_lines.hpp"
 
 namespace pn {
 
@@ -39,9 +39,6 @@ struct FaceNet {
   BSplineSurface frame;        ///< knots and degrees; no poles yet
   bool stands_still;           ///< a zone of a sphere: its first parameter is not the spine's
   std::vector<NetPole> poles;  ///< row-major, as in BSplineSurface
-  int arcs;                    ///< of the whole circle, of which the face has a part; 0 for an arc
-                               ///< of the circle that is a band u = (1 - s : s)
-  std::size_t first_segment, last_segment;  ///< it lies over the segments [first, last)
   /// The face's own first and last row where a neighbour's row replaces it, else empty.
   std::vector<NetPole> replaced_first, replaced_last;
 };
@@ -51,11 +48,14 @@ struct RoundedFace {
   double deviation;  ///< the theorem's bound [mm]
 };
 
+/// Some weight is negative, or so small that it is as good as zero. Throws Undecided when the
+/// precision does not suffice.
+bool has_bad_weight(const FaceNet& face);
+
 class SectionNet {
  public:
-  /// Throws Undecided when the precision does not suffice, GeometryError when no positive weights
-  /// or admissible degrees are found.
-  SectionNet(const EnvelopeChain& chain, Lines lines, long precision);
+  SectionNet(std::vector<FaceNet> faces, long precision)
+      : faces_(std::move(faces)), precision_(precision) {}
 
   /// The faces at distance d [mm]. Throws Undecided when some number is not known to within one
   /// unit in its last place.
@@ -64,12 +64,12 @@ class SectionNet {
   std::vector<BSplineSurface> normals() const;
 
   const std::vector<FaceNet>& faces() const { return faces_; }
-  const std::vector<LinedSegment>& segments() const { return segments_; }
   long precision() const { return precision_; }
 
- private:
-  std::vector<LinedSegment> segments_;
+ protected:
   std::vector<FaceNet> faces_;
+
+ private:
   long precision_;
 };
 

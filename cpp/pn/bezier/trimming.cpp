@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/bezier/trimming.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 
 #include "pn/algebra/parallel.hpp"
-#include "pn/bezier/evaluation.hpp"
 #include "pn/bezier/region_trims.hpp"
 #include "pn/bezier/ruling_band.hpp"
 
@@ -15,12 +12,6 @@ namespace pn {
 namespace {
 
 using Point = std::array<double, 2>;
-
-/// In parameters that run over about a unit: a little above what doubles resolve.
-constexpr double kParameterTolerance = 1e-13;
-/// Places in every span of an edge at which its distance from the true boundary is measured. Where
-/// spans are equal it is largest in their middle.
-constexpr std::array<double, 5> kPlaces = {0.1, 0.3, 0.5, 0.7, 0.9};
 
 /// One directrix of a band in the parameters of its segments.
 class Directrix {
@@ -70,12 +61,6 @@ Directrices directrices_of(const std::vector<LinedSegment>& segments, bool close
           std::make_shared<const Directrix>(std::move(spans[1]), closed)};
 }
 
-TrimEdge edge_along(const ParameterPath& path) {
-  return {interpolated(path, kParameterTolerance), path};
-}
-
-TrimEdge side(const Point& start, const Point& end) { return {straight_line(start, end), {}}; }
-
 /// The face between both directrices over the segments [first, last): along the first one, back
 /// along the second.
 TrimEdgeLoop band_loop(const Directrices& directrices, std::size_t first, std::size_t last) {
@@ -87,62 +72,24 @@ TrimEdgeLoop band_loop(const Directrices& directrices, std::size_t first, std::s
     loop[k] = edge_along([low, i](double t) { return low->at(i, t); });
     loop[2 * count - k] = edge_along([high, i](double t) { return high->at(i, 1 - t); });
   });
-  loop[count] = side(low->end(last - 1), high->end(last - 1));
-  loop[2 * count + 1] = side(high->start(first), low->start(first));
+  loop[count] = straight_edge(low->end(last - 1), high->end(last - 1));
+  loop[2 * count + 1] = straight_edge(high->start(first), low->start(first));
   return loop;
-}
-
-double deviation(const SurfaceEvaluation& section, const TrimEdge& edge) {
-  double largest = 0;
-  const std::vector<double>& knots = edge.curve.knots;
-  for (std::size_t i = 1; i < knots.size(); ++i) {
-    for (const double part : kPlaces) {
-      const double at = knots[i - 1] + part * (knots[i] - knots[i - 1]);
-      const Point exact = edge.path(at), near = evaluate(edge.curve, at);
-      const auto a = section(exact[0], exact[1]), b = section(near[0], near[1]);
-      largest = std::max(largest, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
-    }
-  }
-  return largest;
 }
 
 }  // namespace
 
-std::vector<TrimmedFace> trimmed_faces(const EnvelopeChain& chain, const SectionNet& net) {
+std::vector<TrimmedFace> trimmed_faces(const EnvelopeChain& chain, const ChainNet& net) {
   if (std::holds_alternative<BoundedRegion>(chain.extent)) return region_faces(chain, net);
   std::vector<TrimmedFace> result(net.faces().size());
   for (std::size_t i = 0; i < result.size(); ++i) result[i].net_face = i;
   if (!std::holds_alternative<RulingBand>(chain.extent)) return result;
   const Directrices directrices = directrices_of(net.segments(), chain.closed);
   for_each_index(result.size(), [&](std::size_t i) {
-    const FaceNet& face = net.faces()[i];
-    result[i].loops = {band_loop(directrices, face.first_segment, face.last_segment)};
+    const ChainPlace& place = net.places()[i];
+    result[i].loops = {band_loop(directrices, place.first_segment, place.last_segment)};
   });
   return result;
-}
-
-std::vector<TrimLoop> curves_of(const TrimmedFace& face) {
-  std::vector<TrimLoop> loops;
-  for (const TrimEdgeLoop& edges : face.loops) {
-    loops.emplace_back();
-    for (const TrimEdge& edge : edges) loops.back().push_back(edge.curve);
-  }
-  return loops;
-}
-
-double trim_deviation(const BSplineSurface& section, const TrimmedFace& face) {
-  std::vector<const TrimEdge*> edges;
-  for (const TrimEdgeLoop& loop : face.loops) {
-    for (const TrimEdge& edge : loop) {
-      if (edge.path) edges.push_back(&edge);
-    }
-  }
-  if (edges.empty()) return 0;
-  const SurfaceEvaluation evaluation(section);
-  std::vector<double> deviations(edges.size());
-  for_each_index(edges.size(),
-                 [&](std::size_t i) { deviations[i] = deviation(evaluation, *edges[i]); });
-  return *std::max_element(deviations.begin(), deviations.end());
 }
 
 }  // namespace pn
