@@ -1,23 +1,28 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Exact offset surfaces in FreeCAD. Lengths are millimetres.
 
-The compiled kernel is loaded when a surface is computed, not when this package is imported: a
-document opens, with its stored shapes, without it.
+The functions for scripts are imported when they are first used, so that FreeCAD starts as fast as
+without this package. The compiled kernel is loaded when a surface is computed: a document opens, with
+its stored shapes, without it.
 """
 
-from pnsurfaces.canal_surface import make_canal_surface
-from pnsurfaces.certificate_report import certificate, write_certificate
-from pnsurfaces.examples import open_example
-from pnsurfaces.export import export_step
-from pnsurfaces.quadric_offset import make_quadric_offset
-from pnsurfaces.ruled_offset import make_ruled_offset
+import importlib
 
-__all__ = [
-    "certificate",
-    "export_step",
-    "make_canal_surface",
-    "make_quadric_offset",
-    "make_ruled_offset",
-    "open_example",
-    "write_certificate",
-]
+# The functions and the modules that they are in.
+_HOMES = {
+    "certificate": "certificate_report",
+    "export_step": "export",
+    "make_canal_surface": "canal_surface",
+    "make_quadric_offset": "quadric_offset",
+    "make_ruled_offset": "ruled_offset",
+    "open_example": "examples",
+    "write_certificate": "certificate_report",
+}
+
+__all__ = list(_HOMES)
+
+
+def __getattr__(name):
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)

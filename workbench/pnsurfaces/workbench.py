@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The workbench PN Surfaces: its toolbar and its menu."""
+"""The workbench PN Surfaces: its toolbar and its menu.
+
+FreeCAD imports this module when it starts; all that the commands need is imported when the workbench
+is first chosen.
+"""
 
 import FreeCADGui
 
-from pnsurfaces import commands, resources
-from pnsurfaces.analysis_commands import selected_analyses
+from pnsurfaces import resources
 
 
 class PNSurfacesWorkbench(FreeCADGui.Workbench):
@@ -15,6 +18,8 @@ class PNSurfacesWorkbench(FreeCADGui.Workbench):
     Icon = resources.icon("PNSurfaces")
 
     def Initialize(self):
+        from pnsurfaces import commands
+
         names = commands.register()
         self.appendToolbar("PN Surfaces", names)
         self.appendMenu("PN Surfaces", names)
@@ -23,6 +28,8 @@ class PNSurfacesWorkbench(FreeCADGui.Workbench):
         self.appendMenu(["PN Surfaces", "Analysis"], self._analyses)
 
     def ContextMenu(self, recipient):
+        from pnsurfaces.analysis_commands import selected_analyses
+
         if selected_analyses():
             self.appendContextMenu("PN Analysis", [*self._analyses, "PNSurfaces_Certificate"])
 
