@@ -20,6 +20,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Centres of the spheres A, B, C, AB, BC, CA: the control points of the mid-surface</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Degree along and across the faces</source>
             <translation type="unfinished" />
         </message>
@@ -116,6 +120,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Radii of the spheres in mm: half the thickness, as control values</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Radius at the end</source>
             <translation type="unfinished" />
         </message>
@@ -180,6 +188,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Three or six vertices in place of the centres: the corners first, then those between them</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Valid, a warning or an error</source>
             <translation type="unfinished" />
         </message>
@@ -221,6 +233,10 @@
         </message>
         <message>
             <source>Whether the second curve is run through from its end</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Which of the two skins are made</source>
             <translation type="unfinished" />
         </message>
     </context>
@@ -355,6 +371,37 @@
         </message>
     </context>
     <context>
+        <name>MidSurfaceSkins</name>
+        <message>
+            <source>Mid-surface</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Net</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Skins</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Takes three corners, or three corners and the three points between them</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The centres of the spheres: the control points of the mid-surface</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The spheres: centres, and radii, which are half the thickness</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Use selection</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
         <name>Offset</name>
         <message>
             <source>Caps</source>
@@ -437,6 +484,10 @@
         </message>
         <message>
             <source>Both sides</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Both skins</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -536,6 +587,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Inner skin</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Intake horn</source>
             <translation type="unfinished" />
         </message>
@@ -549,6 +604,10 @@
         </message>
         <message>
             <source>Markdown (*.md);;JSON (*.json)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Mid-surface skins</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -585,6 +644,10 @@
         </message>
         <message>
             <source>One-sheet hyperboloid</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Outer skin</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -664,6 +727,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Select three or six vertices of one object.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Select two edges, wires or sketches first, or one ruled face.</source>
             <translation type="unfinished" />
         </message>
@@ -709,6 +776,10 @@
         </message>
         <message>
             <source>Two-sheet hyperboloid</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Typed below</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -935,6 +1006,17 @@
         </message>
         <message>
             <source>Gauss Curvature Map</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>PNSurfaces_MidSurfaceSkins</name>
+        <message>
+            <source>Creates both exact skins of a mid-surface whose thickness varies, from six spheres</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Mid-Surface Skins…</source>
             <translation type="unfinished" />
         </message>
     </context>

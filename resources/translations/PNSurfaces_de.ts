@@ -20,6 +20,10 @@
             <translation>Schranke für den Abstand zur wahren Fläche; bewiesen, außer bei Näherungen, die als gemessen bezeichnet sind</translation>
         </message>
         <message>
+            <source>Centres of the spheres A, B, C, AB, BC, CA: the control points of the mid-surface</source>
+            <translation>Mittelpunkte der Kugeln A, B, C, AB, BC, CA: die Kontrollpunkte der Mittelfläche</translation>
+        </message>
+        <message>
             <source>Degree along and across the faces</source>
             <translation>Grad entlang und quer zu den Flächen</translation>
         </message>
@@ -116,6 +120,10 @@
             <translation>Radien an den Knoten oder Positionen, oder Bézier-Koeffizienten, in mm</translation>
         </message>
         <message>
+            <source>Radii of the spheres in mm: half the thickness, as control values</source>
+            <translation>Radien der Kugeln in mm: die halbe Dicke, als Kontrollwerte</translation>
+        </message>
+        <message>
             <source>Radius at the end</source>
             <translation>Radius am Ende</translation>
         </message>
@@ -180,6 +188,10 @@
             <translation>Dicke der Wand, nach innen gemessen</translation>
         </message>
         <message>
+            <source>Three or six vertices in place of the centres: the corners first, then those between them</source>
+            <translation>Drei oder sechs Knoten anstelle der Mittelpunkte: zuerst die Ecken, dann die dazwischen</translation>
+        </message>
+        <message>
             <source>Valid, a warning or an error</source>
             <translation>Gültig, eine Warnung oder ein Fehler</translation>
         </message>
@@ -222,6 +234,10 @@
         <message>
             <source>Whether the second curve is run through from its end</source>
             <translation>Ob die zweite Kurve von ihrem Ende her durchlaufen wird</translation>
+        </message>
+        <message>
+            <source>Which of the two skins are made</source>
+            <translation>Welche der beiden Hautflächen erzeugt werden</translation>
         </message>
     </context>
     <context>
@@ -355,6 +371,37 @@
         </message>
     </context>
     <context>
+        <name>MidSurfaceSkins</name>
+        <message>
+            <source>Mid-surface</source>
+            <translation>Mittelfläche</translation>
+        </message>
+        <message>
+            <source>Net</source>
+            <translation>Netz</translation>
+        </message>
+        <message>
+            <source>Skins</source>
+            <translation>Hautflächen</translation>
+        </message>
+        <message>
+            <source>Takes three corners, or three corners and the three points between them</source>
+            <translation>Nimmt drei Ecken, oder drei Ecken und die drei Punkte dazwischen</translation>
+        </message>
+        <message>
+            <source>The centres of the spheres: the control points of the mid-surface</source>
+            <translation>Die Mittelpunkte der Kugeln: die Kontrollpunkte der Mittelfläche</translation>
+        </message>
+        <message>
+            <source>The spheres: centres, and radii, which are half the thickness</source>
+            <translation>Die Kugeln: Mittelpunkte, und Radien, welche die halbe Dicke sind</translation>
+        </message>
+        <message>
+            <source>Use selection</source>
+            <translation>Auswahl übernehmen</translation>
+        </message>
+    </context>
+    <context>
         <name>Offset</name>
         <message>
             <source>Caps</source>
@@ -438,6 +485,10 @@
         <message>
             <source>Both sides</source>
             <translation>Beide Seiten</translation>
+        </message>
+        <message>
+            <source>Both skins</source>
+            <translation>Beide Hautflächen</translation>
         </message>
         <message>
             <source>Box</source>
@@ -536,6 +587,10 @@
             <translation>Innenradius</translation>
         </message>
         <message>
+            <source>Inner skin</source>
+            <translation>Innere Hautfläche</translation>
+        </message>
+        <message>
             <source>Intake horn</source>
             <translation>Ansaugtrichter</translation>
         </message>
@@ -550,6 +605,10 @@
         <message>
             <source>Markdown (*.md);;JSON (*.json)</source>
             <translation>Markdown (*.md);;JSON (*.json)</translation>
+        </message>
+        <message>
+            <source>Mid-surface skins</source>
+            <translation>Hautflächen einer Mittelfläche</translation>
         </message>
         <message>
             <source>More: menu PN Surfaces, Documentation, page {}.</source>
@@ -586,6 +645,10 @@
         <message>
             <source>One-sheet hyperboloid</source>
             <translation>Einschaliges Hyperboloid</translation>
+        </message>
+        <message>
+            <source>Outer skin</source>
+            <translation>Äußere Hautfläche</translation>
         </message>
         <message>
             <source>PN Surfaces: documentation</source>
@@ -664,6 +727,10 @@
             <translation>Zuerst die Leitkurve auswählen: Kanten eines Objekts, einen Kantenzug oder eine Skizze.</translation>
         </message>
         <message>
+            <source>Select three or six vertices of one object.</source>
+            <translation>Drei oder sechs Knoten eines Objekts auswählen.</translation>
+        </message>
+        <message>
             <source>Select two edges, wires or sketches first, or one ruled face.</source>
             <translation>Zuerst zwei Kanten, Kantenzüge oder Skizzen auswählen, oder eine Regelfläche.</translation>
         </message>
@@ -710,6 +777,10 @@
         <message>
             <source>Two-sheet hyperboloid</source>
             <translation>Zweischaliges Hyperboloid</translation>
+        </message>
+        <message>
+            <source>Typed below</source>
+            <translation>Unten eingegeben</translation>
         </message>
         <message>
             <source>Valid</source>
@@ -936,6 +1007,17 @@
         <message>
             <source>Gauss Curvature Map</source>
             <translation>Karte der Gaußschen Krümmung</translation>
+        </message>
+    </context>
+    <context>
+        <name>PNSurfaces_MidSurfaceSkins</name>
+        <message>
+            <source>Creates both exact skins of a mid-surface whose thickness varies, from six spheres</source>
+            <translation>Erzeugt beide exakten Hautflächen einer Mittelfläche mit veränderlicher Dicke, aus sechs Kugeln</translation>
+        </message>
+        <message>
+            <source>Mid-Surface Skins…</source>
+            <translation>Hautflächen einer Mittelfläche…</translation>
         </message>
     </context>
     <context>

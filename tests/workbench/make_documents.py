@@ -54,6 +54,12 @@ def quadric_offset(document):
     )
 
 
+def mid_surface_skins(document):
+    net = [(0, 0, 0), (40, 0, 0), (20, 30, 0), (20, 0, 5), (30, 15, 4), (10, 15, 6)]
+    return pnsurfaces.make_mid_surface_skins(net, [2, 3, 2, 2, 3, 2], 0.5, document=document)
+
+
 save(canal_surface, "canal_surface")
 save(ruled_offset, "ruled_offset")
 save(quadric_offset, "quadric_offset")
+save(mid_surface_skins, "mid_surface_skins")

@@ -36,11 +36,17 @@ class StoredDocuments(DocumentTest):
             (lambda: pnsurfaces.make_canal_surface(self.line_object(), 1), "canal_surface"),
             (lambda: pnsurfaces.make_quadric_offset("Ellipsoid", 3, 2, 1), "quadric_offset"),
             (self._ruled_offset, "ruled_offset"),
+            (self._mid_surface_skins, "mid_surface_skins"),
         ):
             self.assertIn(f"{name}_schema_{make().SchemaVersion}", stems)
 
     def _ruled_offset(self):
         return pnsurfaces.make_ruled_offset(self.line_object(), self.spline_object(), 1)
+
+    def _mid_surface_skins(self):
+        return pnsurfaces.make_mid_surface_skins(
+            [(0, 0, 0), (9, 0, 0), (0, 9, 0)], [1, 1, 1, 2, 2, 2]
+        )
 
 
 class NewerDocuments(DocumentTest):

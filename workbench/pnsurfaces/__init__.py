@@ -8,11 +8,14 @@ its stored shapes, without it.
 
 import importlib
 
+__version__ = "0.1.0"
+
 # The functions and the modules that they are in.
 _HOMES = {
     "certificate": "certificate_report",
     "export_step": "export",
     "make_canal_surface": "canal_surface",
+    "make_mid_surface_skins": "mid_surface_skins",
     "make_quadric_offset": "quadric_offset",
     "make_ruled_offset": "ruled_offset",
     "open_example": "examples",

@@ -6,7 +6,7 @@ import FreeCAD
 from pnsurfaces import resources
 from pnsurfaces.certificate_report import certificate, save_certificate
 from pnsurfaces.certificate_text import as_markdown
-from pnsurfaces.compat import QtCore, QtGui, QtWidgets, connect
+from pnsurfaces.compat import QtCore, QtGui, QtWidgets, connect, number_of
 from pnsurfaces.export_path import ask_export_path
 from pnsurfaces.panel import load_form
 
@@ -50,4 +50,4 @@ class CertificatePanel:
             QtWidgets.QMessageBox.information(self.form, "PN Surfaces", str(error))
 
     def getStandardButtons(self):
-        return int(QtWidgets.QDialogButtonBox.Close)
+        return number_of(QtWidgets.QDialogButtonBox.Close)

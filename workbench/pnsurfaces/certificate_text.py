@@ -4,6 +4,7 @@
 # What a class of features is called for the user.
 _TITLES = {
     "CanalSurface": "canal surface",
+    "MidSurfaceSkins": "skins of a mid-surface",
     "RuledOffset": "offset of a ruled surface",
     "QuadricOffset": "offset of a quadric",
 }

@@ -16,7 +16,7 @@ from pnsurfaces.edge_chain import end, read_edge_chain, start
 from pnsurfaces.examples_dialog import ask_example
 from pnsurfaces.export_path import ask_export_path
 from pnsurfaces.panel import literal
-from pnsurfaces.selection import selected_face, selected_pair, selected_spine
+from pnsurfaces.selection import selected_face, selected_pair, selected_points, selected_spine
 
 QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 translate = FreeCAD.Qt.translate
@@ -31,6 +31,14 @@ _HALF_AXES = (40.0, 30.0, 20.0)
 
 # Its bounds once it has some: those of quadric_offset.suitable_bounds.
 _BOUNDS = {"MinX": -20.0, "MaxX": 20.0, "MinY": -15.0, "MaxY": 15.0, "MinZ": 0.0, "MaxZ": 20.0}
+
+
+# The net of a new mid-surface, a shallow dome, and its radii, in millimetres: corners first.
+_NET = [
+    (0.0, 0.0, 0.0), (100.0, 0.0, 0.0), (50.0, 80.0, 0.0),
+    (50.0, 0.0, 12.0), (75.0, 40.0, 12.0), (25.0, 40.0, 12.0),
+]
+_NET_RADII = [3.0, 3.0, 3.0, 4.0, 4.0, 4.0]
 
 
 class CreationCommand(Command):
@@ -149,6 +157,24 @@ class QuadricOffsetCommand(CreationCommand):
         return _call("make_quadric_offset", repr("Ellipsoid"), *map(repr, _HALF_AXES), **_BOUNDS)
 
 
+class MidSurfaceSkinsCommand(CreationCommand):
+    """Makes the skins of a mid-surface, on the selected vertices if there are any."""
+
+    name = "PNSurfaces_MidSurfaceSkins"
+    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_MidSurfaceSkins", "Mid-Surface Skins…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "PNSurfaces_MidSurfaceSkins",
+        "Creates both exact skins of a mid-surface whose thickness varies, from six spheres",
+    )
+    page = "mid_surface_skins_command.md"
+    transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Mid-surface skins")
+
+    def creation(self, selection):
+        points = selected_points(selection)
+        net = literal(points) if points else repr(_NET)
+        return _call("make_mid_surface_skins", net, repr(_NET_RADII))
+
+
 class ExportStepCommand(Command):
     """Writes the selected shapes to a STEP file that keeps every double."""
 
@@ -259,6 +285,7 @@ def register():
             CanalSurfaceCommand(),
             RuledOffsetCommand(),
             QuadricOffsetCommand(),
+            MidSurfaceSkinsCommand(),
             CertificateCommand(),
             ExportStepCommand(),
             ExamplesCommand(),

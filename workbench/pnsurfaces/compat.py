@@ -9,7 +9,7 @@ except ImportError:
     # FreeCAD 0.20 keeps the widgets in QtGui.
     QtWidgets = QtGui
 
-__all__ = ["QtCore", "QtGui", "QtWidgets", "connect"]
+__all__ = ["QtCore", "QtGui", "QtWidgets", "connect", "number_of"]
 
 
 def connect(widget, signal, slot):
@@ -19,3 +19,11 @@ def connect(widget, signal, slot):
     in PySide 5.15 under Python 3.11, to be mistaken for a later widget at the same address.
     """
     QtCore.QObject.connect(widget, QtCore.SIGNAL(signal), slot)
+
+
+def number_of(flag):
+    """A flag of Qt as the number that FreeCAD's task panels return.
+
+    In PySide6, from FreeCAD 1.0 on, flags are enumerations that int() does not take.
+    """
+    return flag.value if hasattr(flag, "value") else int(flag)

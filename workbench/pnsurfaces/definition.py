@@ -10,6 +10,9 @@ coordinates, so that a bound of 1e-14 mm on a surface of 100 mm is met, but not 
 - A ruled surface at distance d is the envelope of the cylinders of radius d about its rulings: the
   foot c of a point on its ruling has (x - c).c_t = 0.
 - A quadric at distance d has the points x with a foot p on it, q(p) = 0, x - p along grad q(p).
+- The skins of a mid-surface at distance d are the envelope of the spheres |x - m(u, v)| = r(u, v) + d:
+  a point of it is on one sphere and outside all its neighbours, (x - m).m_u + (r + d) r_u = 0 and
+  likewise for v.
 
 Where a point is off the surface by a small distance e, it is on that at distance d + e, so that the
 same equation finds d + e.
@@ -20,6 +23,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from pnsurfaces.canal_surface import CanalSurface, read_bore, read_spheres
+from pnsurfaces.mid_surface_skins import MidSurfaceSkins, read_net
 from pnsurfaces.quadric_form import standard_equation
 from pnsurfaces.quadric_offset import KINDS, OF_FACE, QuadricOffset, half_axes, read_face
 from pnsurfaces.ruled_offset import RuledOffset, read_curves
@@ -42,8 +46,12 @@ _BEYOND_END = 1e-7
 _NEWTON_STEPS = 8
 
 
+# Steps along the edges of a triangle of spheres, from the best of which Newton's method starts.
+_GRID_OF_NET = 17
+
+
 def definition_of(obj):
-    """The definition of a feature: Spheres, Rulings or Quadric; None for another object."""
+    """The definition of a feature: Spheres, Rulings, Quadric or SphereNet; None for another object."""
     proxy = type(getattr(obj, "Proxy", None))
     return _DEFINITIONS[proxy](obj) if proxy in _DEFINITIONS else None
 
@@ -143,6 +151,58 @@ class Quadric(NamedTuple):
         residual = np.column_stack([feet + factor[:, None] * gradient - points, value])
         step = np.matmul(np.linalg.pinv(matrix), residual[..., None])[..., 0]
         return feet - step[:, :3], factor - step[:, 3]
+
+
+class SphereNet(NamedTuple):
+    """A quadratic triangle of spheres: the control spheres (6, 4) A, B, C, AB, BC, CA."""
+
+    spheres: np.ndarray
+
+    words = "spheres of the family: distance from the centre minus the radius"
+
+    def deviations(self, points, normals, distance):
+        u, v = self._start(points, normals, distance)
+        for _ in range(_NEWTON_STEPS):
+            u, v = self._improved(points, distance, u, v)
+        rays, radius, *_ = self._at(points, distance, u, v)
+        return np.abs(_length(rays) - np.abs(radius))
+
+    def _start(self, points, normals, distance):
+        """The parameters of a grid whose sphere has the point most nearly at its normal."""
+        u, v = (grid.ravel() for grid in np.meshgrid(*[np.linspace(0, 1, _GRID_OF_NET)] * 2))
+        u, v = u[u + v <= 1], v[u + v <= 1]
+        rays, radius, *_ = self._at(points[:, None], distance, u, v)
+        misses = _length(rays - radius[..., None] * normals[:, None])
+        best = misses.argmin(axis=1)
+        return u[best], v[best]
+
+    def _at(self, points, distance, u, v):
+        """Rays from the centres, radii, and the derivatives of centre and radius by u and v."""
+        a, b, c, ab, bc, ca = self.spheres
+        u, v = u[..., None], v[..., None]
+        w = 1 - u - v
+        sphere = u * u * a + v * v * b + w * w * c + 2 * (u * v * ab + v * w * bc + u * w * ca)
+        by_u = 2 * (u * (a - ca) + v * (ab - bc) + w * (ca - c))
+        by_v = 2 * (u * (ab - ca) + v * (b - bc) + w * (bc - c))
+        return points - sphere[..., :3], sphere[..., 3] + distance, by_u, by_v
+
+    def _improved(self, points, distance, u, v):
+        """A Newton step for  (x - m).m_i + (r + d) r_i = 0,  i = u, v."""
+        rays, radius, *slopes = self._at(points, distance, u, v)
+        values = [_dot(rays, s[..., :3]) + radius * s[..., 3] for s in slopes]
+        a, b, c, ab, bc, ca = self.spheres
+        second = [2 * (a - 2 * ca + c), 2 * (ab - bc - ca + c), 2 * (b - 2 * bc + c)]
+        (s_u, s_v) = slopes
+        j_uu, j_uv, j_vv = (
+            -_dot(p[..., :3], q[..., :3]) + p[..., 3] * q[..., 3]
+            + _dot(rays, x[:3]) + radius * x[3]
+            for p, q, x in zip((s_u, s_u, s_v), (s_u, s_v, s_v), second)
+        )
+        determinant = j_uu * j_vv - j_uv**2
+        return (
+            u - (j_vv * values[0] - j_uv * values[1]) / determinant,
+            v - (j_uu * values[1] - j_uv * values[0]) / determinant,
+        )
 
 
 class PiecewiseRational:
@@ -262,4 +322,9 @@ def _quadric(obj):
     return Quadric(*standard_equation(KINDS[obj.Kind].name, half_axes(obj)))
 
 
-_DEFINITIONS = {CanalSurface: lambda obj: _spheres(*read_spheres(obj)), RuledOffset: _rulings, QuadricOffset: _quadric}
+_DEFINITIONS = {
+    CanalSurface: lambda obj: _spheres(*read_spheres(obj)),
+    RuledOffset: _rulings,
+    QuadricOffset: _quadric,
+    MidSurfaceSkins: lambda obj: SphereNet(read_net(obj)),
+}

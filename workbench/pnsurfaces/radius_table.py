@@ -31,6 +31,11 @@ def length_column(title):
     return Column(title, lambda value: _quantity(value).UserString, _in_full, read_length)
 
 
+def short_length_column(title):
+    """The same without the unit, where there is little room."""
+    return Column(title, _without_unit, _in_full, read_length)
+
+
 def number_column(title):
     """A column of plain numbers."""
     return Column(title, lambda value: f"{value:.6g}", repr, float)
@@ -46,13 +51,15 @@ class RadiusTable(QtCore.QAbstractTableModel):
         self.rows = []
         self._columns = []
         self._row_name = "{}"
+        self._names = ()
 
-    def show(self, rows, columns, row_name="{}"):
-        """Replaces the table. `row_name` has a {} for the number of the row."""
+    def show(self, rows, columns, row_name="{}", names=()):
+        """Replaces the table. `row_name` has a {} for the number of a row that has no name."""
         self.beginResetModel()
         self.rows = [list(row) for row in rows]
         self._columns = columns
         self._row_name = row_name
+        self._names = names
         self.endResetModel()
 
     def column(self, index):
@@ -84,6 +91,8 @@ class RadiusTable(QtCore.QAbstractTableModel):
             return None
         if orientation == QtCore.Qt.Horizontal:
             return self._columns[section].title
+        if section < len(self._names):
+            return self._names[section]
         return self._row_name.format(section + 1)
 
     def data(self, index, role=QtCore.Qt.DisplayRole):
@@ -125,6 +134,11 @@ def read_length(text):
 
 def _quantity(millimetres):
     return FreeCAD.Units.Quantity(millimetres, FreeCAD.Units.Length)
+
+
+def _without_unit(millimetres):
+    _, factor, _ = _quantity(millimetres).getUserPreferred()
+    return f"{millimetres / factor:.6g}"
 
 
 def _in_full(millimetres):

@@ -4,6 +4,9 @@
 Every function returns values of link properties, (object, sub-element names), or None.
 """
 
+# The corners of a net, or all its points.
+_POINTS_OF_NET = (3, 6)
+
 
 def selected_spine(selection):
     """The selected edges of one object, or all of an object that is selected as a whole."""
@@ -32,6 +35,19 @@ def selected_face(selection):
     if not names and len(source.Shape.Faces) == 1:
         return source, ["Face1"]
     return (source, list(names)) if len(names) == 1 and names[0].startswith("Face") else None
+
+
+def selected_points(selection):
+    """Three or six selected vertices of one object, or an object that has as many."""
+    if len(selection) != 1:
+        return None
+    source, chosen = selection[0].Object, selection[0].SubElementNames
+    names = [name for name in chosen if name.startswith("Vertex")]
+    if len(names) in _POINTS_OF_NET and len(names) == len(chosen):
+        return source, names
+    if chosen or not hasattr(source, "Shape"):
+        return None
+    return (source, []) if len(source.Shape.Vertexes) in _POINTS_OF_NET else None
 
 
 def _edges(selected):

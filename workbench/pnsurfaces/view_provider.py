@@ -7,6 +7,8 @@ from pnsurfaces import resources
 from pnsurfaces.analysis import Analysis
 from pnsurfaces.canal_surface import CanalSurface
 from pnsurfaces.canal_surface_panel import CanalSurfacePanel
+from pnsurfaces.mid_surface_skins import MidSurfaceSkins
+from pnsurfaces.mid_surface_skins_panel import MidSurfaceSkinsPanel
 from pnsurfaces.quadric_offset import QuadricOffset
 from pnsurfaces.quadric_offset_panel import QuadricOffsetPanel
 from pnsurfaces.ruled_offset import RuledOffset
@@ -15,6 +17,7 @@ from pnsurfaces.ruled_offset_panel import RuledOffsetPanel
 # The task panel that edits a feature of each class.
 PANELS = {
     CanalSurface: CanalSurfacePanel,
+    MidSurfaceSkins: MidSurfaceSkinsPanel,
     QuadricOffset: QuadricOffsetPanel,
     RuledOffset: RuledOffsetPanel,
 }

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command Mid-Surface Skins and its task panel, driven as a person drives them."""
+
+import FreeCADGui
+import main_window
+import Part
+from FreeCAD import Vector
+from support import GuiTest, input_of, poles, wait_for_preview
+
+COMMAND = "PNSurfaces_MidSurfaceSkins"
+NET = [(0, 0, 0), (100, 0, 0), (40, 80, 0), (50, 0, 8), (70, 40, 10), (20, 40, 9)]
+
+
+class CreationTest(GuiTest):
+    def test_ok_is_one_undo_step(self):
+        FreeCADGui.Selection.clearSelection()
+        since = len(main_window.recorded_commands())
+        feature, panel = self.run_creation(COMMAND)
+        main_window.type_text(input_of(panel, "Distance"), "1.5")
+        wait_for_preview()
+        main_window.screenshot("mid_surface_skins")
+        main_window.confirm(panel)
+        self.assert_nothing_open()
+        self.assertEqual(self.document.UndoNames, ["Mid-surface skins"])
+        self.assertTrue(feature.isValid(), feature.getStatusString())
+        made = poles(feature)
+        self.document.undo()
+        self.assertIsNone(self.document.getObject("MidSurfaceSkins"))
+        self.document.redo()
+        self.assertEqual(poles(self.document.MidSurfaceSkins), made)
+        self.assert_recorded(since, self.document.MidSurfaceSkins, made)
+
+    def test_cancel_leaves_nothing(self):
+        objects = self.document.Objects
+        _, panel = self.run_creation(COMMAND)
+        main_window.cancel(panel)
+        self.assert_nothing_open()
+        self.assertEqual(self.document.Objects, objects)
+
+    def test_selected_vertices_are_the_net(self):
+        net = self.shape_object(Part.Compound([Part.Vertex(Vector(*p)) for p in NET]), "Net")
+        self.select(net, *(f"Vertex{i}" for i in range(1, 7)))
+        feature, panel = self.run_creation(COMMAND)
+        self.assertEqual(feature.Points[0], net)
+        self.assertIn("Net", input_of(panel, "points").text())
+        main_window.cancel(panel)
+
+
+class PanelTest(GuiTest):
+    def setUp(self):
+        super().setUp()
+        FreeCADGui.Selection.clearSelection()
+        self.feature, self.panel = self.run_creation(COMMAND)
+
+    def type_in_table(self, row, column, text):
+        table = self.panel.table
+        self.assertTrue(table.setData(table.index(row, column), text))
+        wait_for_preview()
+
+    def test_a_typed_radius(self):
+        top = self.feature.Shape.BoundBox.ZMax
+        self.type_in_table(4, 3, "9 mm")
+        self.assertEqual(self.feature.Radii[4], 9)
+        self.assertGreater(self.feature.Shape.BoundBox.ZMax, top)
+        main_window.screenshot("mid_surface_skins_radius")
+
+    def test_a_typed_centre(self):
+        self.type_in_table(3, 2, "30")
+        self.assertEqual(self.feature.Centres[3].z, 30)
+
+    def test_each_skin(self):
+        faces = len(self.feature.Shape.Faces)
+        input_of(self.panel, "Skins").setCurrentText("Outer skin")
+        wait_for_preview()
+        self.assertLess(len(self.feature.Shape.Faces), faces)
+
+    def test_what_is_no_net_is_explained(self):
+        self.select(self.spline, "Edge1")
+        input_of(self.panel, "use_selection").click()
+        text = input_of(self.panel, "points").text()
+        self.assertEqual(text, "Select three or six vertices of one object.")
+
+    def test_an_error_is_a_sentence_and_recovers(self):
+        self.type_in_table(0, 3, "500")
+        self.assertIn("swallows its neighbours", input_of(self.panel, "status").text())
+        self.type_in_table(0, 3, "3")
+        self.assertEqual(self.feature.Status, "Valid")
+
+    def test_edit(self):
+        main_window.confirm(self.panel)
+        panel = self.reopen_panel(self.feature)
+        main_window.type_text(input_of(panel, "Distance"), "2")
+        wait_for_preview()
+        main_window.cancel(panel)
+        self.assertEqual(self.feature.Distance.Value, 0)
