@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How every exact surface appears in the tree, and that a double-click edits it."""
 
+import FreeCAD
 import FreeCADGui
 
 from pnsurfaces import resources
 from pnsurfaces.analysis import Analysis
 from pnsurfaces.canal_surface import CanalSurface
 from pnsurfaces.canal_surface_panel import CanalSurfacePanel
+from pnsurfaces.compat import connect
 from pnsurfaces.mid_surface_skins import MidSurfaceSkins
 from pnsurfaces.mid_surface_skins_panel import MidSurfaceSkinsPanel
 from pnsurfaces.quadric_offset import QuadricOffset
 from pnsurfaces.quadric_offset_panel import QuadricOffsetPanel
 from pnsurfaces.ruled_offset import RuledOffset
 from pnsurfaces.ruled_offset_panel import RuledOffsetPanel
+
+translate = FreeCAD.Qt.translate
 
 # The task panel that edits a feature of each class.
 PANELS = {
@@ -69,7 +73,15 @@ class ViewProviderPNSurface:
         return list(dict.fromkeys(link[0] for link in links if link))
 
     def doubleClicked(self, view_object):
-        return FreeCADGui.getDocument(self.object.Document.Name).setEdit(self.object.Name)
+        self._edit()
+        return True
+
+    def setupContextMenu(self, view_object, menu):
+        title = translate("PNSurfaces", "Edit {}").format(self.object.Label)
+        connect(menu.addAction(title), "triggered()", self._edit)
+
+    def _edit(self):
+        FreeCADGui.getDocument(self.object.Document.Name).setEdit(self.object.Name)
 
     def setEdit(self, view_object, mode):
         if mode != _DEFAULT_MODE:

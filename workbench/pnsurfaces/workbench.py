@@ -31,7 +31,8 @@ class PNSurfacesWorkbench(FreeCADGui.Workbench):
         from pnsurfaces.analysis_commands import selected_analyses
 
         if selected_analyses():
-            self.appendContextMenu("PN Analysis", [*self._analyses, "PNSurfaces_Certificate"])
+            self.appendContextMenu("PN Analysis", self._analyses)
+            self.appendContextMenu([], ["PNSurfaces_Certificate", "PNSurfaces_ExportStep"])
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"
