@@ -60,6 +60,22 @@ TEST_CASE("Bernstein coefficients on the unit square give the polynomial back",
   CHECK(sum == p.at(u, v));
 }
 
+TEST_CASE("Affine functions in place of a variable, at the same degrees", "[tensor_polynomial]") {
+  std::mt19937_64 random(3);
+  const Polynomial p = random_polynomial(3, 2, random);
+  const Rational c(2L), a(-3L), u = Rational(1L) / Rational(7L), v(5L);
+  const Polynomial in_u = p.substituted(Variable::kU, c, a),
+                   in_v = p.substituted(Variable::kV, c, a);
+  CHECK(in_u.at(u, v) == p.at(c + a * u, v));
+  CHECK(in_v.at(u, v) == p.at(u, c + a * v));
+  for (const Polynomial* q : {&in_u, &in_v}) {
+    CHECK(q->degree(Variable::kU) == 3);
+    CHECK(q->degree(Variable::kV) == 2);
+  }
+  const Polynomial times_u = p * Polynomial::linear(Rational(0L), Rational(1L), Rational(0L));
+  CHECK(in_ring(times_u.divided_by_u()) == in_ring(p));
+}
+
 TEST_CASE("Dense degrees drop to those that the polynomial has", "[tensor_polynomial]") {
   Polynomial p(4, 5);
   p(2, 1) = Rational(3L);

@@ -12,7 +12,7 @@ TEST_CASE("An edge follows its path, a straight one is exact", "[trim_edge]") {
   const ParameterPath path = [](double at) {
     return std::array{std::cos(at), std::sin(at) * std::exp(at)};
   };
-  const TrimEdge edge = edge_along(path);
+  const TrimEdge edge = edge_along(path, 1e-13);
   for (const double at : {0.0, 0.1, 0.37, 0.5, 0.93, 1.0}) {
     const auto exact = path(at), near = evaluate(edge.curve, at);
     CHECK(std::hypot(exact[0] - near[0], exact[1] - near[1]) < 1e-12);
@@ -27,7 +27,7 @@ TEST_CASE("An edge follows its path, a straight one is exact", "[trim_edge]") {
 TEST_CASE("The deviation is how far an edge is from its path on the surface", "[trim_edge]") {
   const BSplineSurface surface = test::paraboloid();
   const ParameterPath path = [](double at) { return std::array{at - 0.5, 0.25}; };
-  TrimmedFace face{0, {{edge_along(path), straight_edge({0.5, 0.25}, {-0.5, 0.25})}}};
+  TrimmedFace face{0, {{edge_along(path, 1e-13), straight_edge({0.5, 0.25}, {-0.5, 0.25})}}};
   CHECK(trim_deviation(surface, face) < 1e-12);
   REQUIRE(curves_of(face).size() == 1);
   CHECK(curves_of(face)[0].size() == 2);

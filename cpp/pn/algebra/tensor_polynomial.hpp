@@ -80,6 +80,24 @@ class TensorPolynomial {
     return result;
   }
 
+  /// The polynomial with c + a x in place of one variable x.
+  TensorPolynomial substituted(Variable variable, const T& c, const T& a) const {
+    const TensorPolynomial x = variable == Variable::kU ? linear_in_u(c, a) : linear_in_v(c, a);
+    const int n = degree(variable);
+    TensorPolynomial result = slice(variable, n);
+    for (int k = n - 1; k >= 0; --k) result = result * x + slice(variable, k);
+    return result;
+  }
+
+  /// The polynomial divided by u, for one whose terms without u vanish.
+  TensorPolynomial divided_by_u() const {
+    TensorPolynomial result(degree_u_ - 1, degree_v_);
+    for (int i = 1; i <= degree_u_; ++i) {
+      for (int j = 0; j <= degree_v_; ++j) result(i - 1, j) = (*this)(i, j);
+    }
+    return result;
+  }
+
   /// The same polynomial with coefficients f(a_ij).
   template <class Convert>
   auto mapped(Convert&& convert) const {
@@ -136,6 +154,30 @@ class TensorPolynomial {
  private:
   std::size_t place(int i, int j) const {
     return static_cast<std::size_t>(i * (degree_v_ + 1) + j);
+  }
+
+  static TensorPolynomial linear_in_u(const T& c, const T& a) {
+    TensorPolynomial result(1, 0);
+    result(0, 0) = c;
+    result(1, 0) = a;
+    return result;
+  }
+  static TensorPolynomial linear_in_v(const T& c, const T& a) {
+    TensorPolynomial result(0, 1);
+    result(0, 0) = c;
+    result(0, 1) = a;
+    return result;
+  }
+  /// The coefficient of a power of one variable, a polynomial in the other.
+  TensorPolynomial slice(Variable variable, int power) const {
+    const bool is_u = variable == Variable::kU;
+    TensorPolynomial result(is_u ? 0 : degree_u_, is_u ? degree_v_ : 0);
+    for (int i = 0; i <= result.degree_u_; ++i) {
+      for (int j = 0; j <= result.degree_v_; ++j) {
+        result(i, j) = is_u ? (*this)(power, j) : (*this)(i, power);
+      }
+    }
+    return result;
   }
 
   void raise_to(const TensorPolynomial& other) {

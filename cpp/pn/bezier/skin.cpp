@@ -6,6 +6,8 @@
 
 #include "pn/algebra/parallel.hpp"
 #include "pn/algebra/roots.hpp"
+#include "pn/bezier/box_chart.hpp"
+#include "pn/bezier/polar_chart.hpp"
 #include "pn/geometry_error.hpp"
 
 namespace pn {
@@ -13,14 +15,28 @@ namespace {
 
 /// Patches whose weights vary by more are avoided.
 constexpr double kEvenWeights = 0.05;
+/// Edges follow their paths to within this in parameters over [0, 1]. Polar charts are steep near
+/// their base points, and doubles resolve less there.
+constexpr double kParameterTolerance = 2e-13;
 /// Quarterings of the triangle before a skin is given up.
 constexpr int kMostQuarterings = 4;
 
+/// The patch of a sheet with the best weights: in the box chart where they are even enough, else in
+/// any chart. Nothing where no weights are positive.
+std::optional<SkinPatch> best_patch(const QuadraticFamily& family, Sheet sheet) {
+  std::optional<SkinPatch> best = box_patch(family, sheet);
+  if (best && best->weight_ratio > kEvenWeights) return best;
+  for (SkinPatch& patch : polar_patches(family, sheet)) {
+    if (!best || !(best->weight_ratio >= patch.weight_ratio)) best = std::move(patch);
+  }
+  if (best && !(best->weight_ratio > 0)) best.reset();
+  return best;
+}
+
 void append_patches(std::vector<SkinPatch>& patches, const QuadraticFamily& family, Sheet sheet,
                     int quarterings) {
-  std::optional<SkinPatch> patch = box_patch(family, sheet);
-  const double ratio = patch ? patch->weight_ratio : 0;
-  if (ratio > kEvenWeights || (quarterings == 0 && ratio > 0)) {
+  std::optional<SkinPatch> patch = best_patch(family, sheet);
+  if (patch && (patch->weight_ratio > kEvenWeights || quarterings == 0)) {
     patches.push_back(std::move(*patch));
     return;
   }
@@ -71,11 +87,13 @@ FaceNet face_net(const SkinPatch& patch, double place, long precision) {
 
 TrimmedFace trimmed_face(const SkinPatch& patch, std::size_t place) {
   TrimmedFace face{place, {{}}};
-  for (const ParameterPath& path : patch.edges) {
-    face.loops.front().push_back(edge_along([path, place](double at) {
-      const auto [p, q] = path(at);
-      return std::array{static_cast<double>(place) + p, q};
-    }));
+  for (const ParameterPath& path : boundary(patch)) {
+    face.loops.front().push_back(edge_along(
+        [path, place](double at) {
+          const auto [p, q] = path(at);
+          return std::array{static_cast<double>(place) + p, q};
+        },
+        kParameterTolerance));
   }
   return face;
 }

@@ -13,8 +13,6 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-/// In parameters that run over about a unit: a little above what doubles resolve.
-constexpr double kParameterTolerance = 1e-13;
 /// Places in every span of an edge at which its distance from the true boundary is measured. Where
 /// spans are equal it is largest in their middle.
 constexpr std::array<double, 5> kPlaces = {0.1, 0.3, 0.5, 0.7, 0.9};
@@ -35,8 +33,8 @@ double deviation(const SurfaceEvaluation& section, const TrimEdge& edge) {
 
 }  // namespace
 
-TrimEdge edge_along(const ParameterPath& path) {
-  return {interpolated(path, kParameterTolerance), path};
+TrimEdge edge_along(const ParameterPath& path, double tolerance) {
+  return {interpolated(path, tolerance), path};
 }
 
 TrimEdge straight_edge(const std::array<double, 2>& start, const std::array<double, 2>& end) {

@@ -31,8 +31,8 @@ struct TrimmedFace {
   std::vector<TrimEdgeLoop> loops;
 };
 
-/// The edge that follows a path as nearly as doubles allow.
-TrimEdge edge_along(const ParameterPath& path);
+/// The edge that follows a path to within a tolerance in both parameters.
+TrimEdge edge_along(const ParameterPath& path, double tolerance);
 
 /// The straight edge.
 TrimEdge straight_edge(const std::array<double, 2>& start, const std::array<double, 2>& end);

@@ -13,6 +13,9 @@ namespace {
 
 using Point = std::array<double, 2>;
 
+/// In parameters that run over about a unit: a little above what doubles resolve.
+constexpr double kParameterTolerance = 1e-13;
+
 /// One directrix of a band in the parameters of its segments.
 class Directrix {
  public:
@@ -69,8 +72,9 @@ TrimEdgeLoop band_loop(const Directrices& directrices, std::size_t first, std::s
   TrimEdgeLoop loop(2 * count + 2);
   for_each_index(count, [&, low = low, high = high](std::size_t k) {
     const std::size_t i = first + k;
-    loop[k] = edge_along([low, i](double t) { return low->at(i, t); });
-    loop[2 * count - k] = edge_along([high, i](double t) { return high->at(i, 1 - t); });
+    loop[k] = edge_along([low, i](double t) { return low->at(i, t); }, kParameterTolerance);
+    loop[2 * count - k] =
+        edge_along([high, i](double t) { return high->at(i, 1 - t); }, kParameterTolerance);
   });
   loop[count] = straight_edge(low->end(last - 1), high->end(last - 1));
   loop[2 * count + 1] = straight_edge(high->start(first), low->start(first));

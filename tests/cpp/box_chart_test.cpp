@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "pn/bezier/skin_patch.hpp"
+#include "pn/bezier/box_chart.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -27,7 +27,7 @@ Vector3d point(const SurfaceSections<RealBall>& x, double d, double p, double q)
 
 }  // namespace
 
-TEST_CASE("The edges of a patch are the skin's points over those of the triangle", "[skin_patch]") {
+TEST_CASE("The edges of a patch are the skin's points over those of the triangle", "[box_chart]") {
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     const QuadraticFamily family = family_of(RandomSphereFamily(seed).spheres());
     const FamilyInDoubles doubles(family);
@@ -36,10 +36,11 @@ TEST_CASE("The edges of a patch are the skin's points over those of the triangle
       REQUIRE(patch);
       if (!(patch->weight_ratio > 0)) continue;
       const SurfaceSections<RealBall> x = patch->sections(128);
+      const auto edges = boundary(*patch);
       double area = 0;
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto& edge = patch->edges[k];
-        CHECK(edge(1) == patch->edges[(k + 1) % 3](0));
+        const auto& edge = edges[k];
+        CHECK(edge(1) == edges[(k + 1) % 3](0));
         for (int i = 0; i < 8; ++i) {
           const auto a = edge(i / 8.0), b = edge((i + 1) / 8.0);
           area += (a[0] * b[1] - a[1] * b[0]) / 2;
