@@ -10,6 +10,7 @@ from pivy import coin
 from pnsurfaces.compat import QtCore, QtGui, QtWidgets
 from pnsurfaces.distance_handle import NODE_NAME as HANDLE
 from pnsurfaces.singular_marks import NODE_NAME as MARKS
+from pnsurfaces.sphere_marks import NODE_NAME as SPHERES
 from pnsurfaces.surface_sketch import NODE_NAME as SKETCH
 
 SCREENSHOTS = pathlib.Path(__file__).resolve().parents[2] / "build" / "screenshots"
@@ -161,6 +162,12 @@ def drawn_points(feature):
 def singular_points(feature):
     """The ends of the lines to singular points, two of each, and those points again."""
     return _points_in(_node(feature, MARKS))
+
+
+def sphere_radii(feature):
+    """The radii of the spheres that are drawn with a feature."""
+    node = _node(feature, SPHERES)
+    return [ball.radius.getValue() for ball in _all_of_type(node, coin.SoSphere)] if node else []
 
 
 def has_handle(feature):

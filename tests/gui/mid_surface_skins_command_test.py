@@ -68,6 +68,14 @@ class PanelTest(GuiTest):
         self.type_in_table(3, 2, "30")
         self.assertEqual(self.feature.Centres[3].z, 30)
 
+    def test_the_spheres_are_drawn_while_the_panel_is_open(self):
+        drawn = main_window.sphere_radii(self.feature)
+        self.assertEqual(drawn, [3, 3, 3, 4, 4, 4])
+        self.type_in_table(0, 3, "2")
+        self.assertEqual(main_window.sphere_radii(self.feature)[0], 2)
+        main_window.confirm(self.panel)
+        self.assertEqual(main_window.sphere_radii(self.feature), [])
+
     def test_each_skin(self):
         faces = len(self.feature.Shape.Faces)
         input_of(self.panel, "Skins").setCurrentText("Outer skin")

@@ -9,6 +9,7 @@ from pnsurfaces.mid_surface_skins import read_net
 from pnsurfaces.panel import TaskPanel, load_form, title
 from pnsurfaces.radius_table import RadiusTable, short_length_column
 from pnsurfaces.selection import selected_points
+from pnsurfaces.sphere_marks import SphereMarks
 
 translate = FreeCAD.Qt.translate
 
@@ -24,6 +25,7 @@ class MidSurfaceSkinsPanel(TaskPanel):
         self.table = RadiusTable()
         self._inputs.spheres.setModel(self.table)
         self._inputs.spheres.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
+        self._spheres = SphereMarks(feature.ViewObject)
         super().__init__(feature, self._inputs)
         for name in ("Points", "Centres", "Radii"):
             self.record(name)
@@ -42,12 +44,18 @@ class MidSurfaceSkinsPanel(TaskPanel):
         self.assign("Points", points)
         self._show_net()
 
+    def close(self):
+        super().close()
+        self._spheres.hide()
+
     def _show_net(self):
         link = self.feature.Points
         try:
             rows, problem = read_net(self.feature), ""
+            self._spheres.show(rows)
         except ValueError as error:
             rows, problem = [], str(error)
+            self._spheres.hide()
         picked = f"<b>{title(link)}</b>" if link else translate("PNSurfaces", "Typed below")
         self._inputs.points.setText("<br>".join(filter(None, [picked, problem])))
         columns = [short_length_column(name) for name in (*"xyz", "r")]
