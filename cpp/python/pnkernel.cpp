@@ -10,6 +10,7 @@
 #include "pn/algebra/cancellation.hpp"
 #include "pn/algebra/parallel.hpp"
 #include "pn/bezier/pn_surface.hpp"
+#include "pn/bezier/rounded_solid.hpp"
 #include "pn/bezier/skin.hpp"
 #include "pn/geometry_error.hpp"
 #include "pn/shapes/canal_surface.hpp"
@@ -521,6 +522,18 @@ void define_sphere_family(py::module_& module) {
           "The two PNSurfaces m + r n: the outer one, whose normal n is on the side of m_u x m_v, "
           "and the inner one. Both normals point away from the mid-surface, so offsets d > 0 "
           "thicken. Raises GeometryError.")
+      .def(
+          "solid",
+          [](const Family& family, double distance) {
+            const py::gil_scoped_release release;
+            return pn::PNSurface(
+                       std::make_shared<const pn::RoundedSolid>(family.family, family.notes))
+                .offset(distance);
+          },
+          py::arg("distance") = 0.0,
+          "The boundary of the union of all balls of radius r + distance, as one closed PNSurface: "
+          "the faces of both skins, a strip along each edge, a part of the sphere at each corner. "
+          "Raises GeometryError, also where a radius is not positive.")
       .def_readonly("notes", &Family::notes, "What to know of the family, in sentences.");
 
   module.def(

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "pn/algebra/parallel.hpp"
-#include "pn/algebra/roots.hpp"
 #include "pn/bezier/box_chart.hpp"
 #include "pn/bezier/polar_chart.hpp"
 #include "pn/geometry_error.hpp"
@@ -13,11 +12,10 @@
 namespace pn {
 namespace {
 
+using Parameters = std::array<double, 2>;
+
 /// Patches whose weights vary by more are avoided.
 constexpr double kEvenWeights = 0.05;
-/// Edges follow their paths to within this in parameters over [0, 1]. Polar charts are steep near
-/// their base points, and doubles resolve less there.
-constexpr double kParameterTolerance = 2e-13;
 /// Quarterings of the triangle before a skin is given up.
 constexpr int kMostQuarterings = 4;
 
@@ -33,11 +31,12 @@ std::optional<SkinPatch> best_patch(const QuadraticFamily& family, Sheet sheet) 
   return best;
 }
 
-void append_patches(std::vector<SkinPatch>& patches, const QuadraticFamily& family, Sheet sheet,
+void append_patches(std::vector<PlacedPatch>& patches, const FamilyPart& part, Sheet sheet,
                     int quarterings) {
-  std::optional<SkinPatch> patch = best_patch(family, sheet);
+  std::optional<SkinPatch> patch = best_patch(part.family, sheet);
   if (patch && (patch->weight_ratio > kEvenWeights || quarterings == 0)) {
-    patches.push_back(std::move(*patch));
+    const auto& [u, v, w] = part.corners;
+    patches.push_back({std::move(*patch), {w, u, v}});
     return;
   }
   if (quarterings == 0) {
@@ -45,98 +44,77 @@ void append_patches(std::vector<SkinPatch>& patches, const QuadraticFamily& fami
                         "No patches with positive weights were found for a skin: its normals turn "
                         "back too often. Divide the six spheres into smaller families.");
   }
-  for (const QuadraticFamily& quarter : family.quartered()) {
+  for (const FamilyPart& quarter : part.quartered()) {
     append_patches(patches, quarter, sheet, quarterings - 1);
   }
 }
 
-/// One Bezier patch, its first parameter counted from `place` on.
-FaceNet face_net(const SkinPatch& patch, double place, long precision) {
-  FaceNet face;
-  face.stands_still = false;
-  const auto [m, n] = patch.degree;
-  face.frame.u_degree = m;
-  face.frame.v_degree = n;
-  face.frame.u_knots = {place, place + 1};
-  face.frame.v_knots = {0, 1};
-  face.frame.u_multiplicities = {m + 1, m + 1};
-  face.frame.v_multiplicities = {n + 1, n + 1};
-  const SurfaceSections<RealBall> sections = patch.sections(precision);
-  std::array<std::vector<RealBall>, 3> point, direction;
-  const auto coefficients = [&](TensorPolynomial<RealBall> p) {
-    return to_bernstein(std::move(p += TensorPolynomial<RealBall>(m, n)));
-  };
-  for (std::size_t c = 0; c < 3; ++c) {
-    point[c] = coefficients(sections.point[c]);
-    direction[c] = coefficients(sections.direction[c]);
-  }
-  const std::vector<RealBall> weight = coefficients(sections.weight);
-  for (std::size_t i = 0; i < weight.size(); ++i) {
-    const RealBall inverse = RealBall(1) / weight[i];
-    NetPole pole;
-    pole.weight = weight[i];
-    for (std::size_t c = 0; c < 3; ++c) {
-      pole.point[c] = point[c][i] * inverse;
-      pole.direction[c] = direction[c][i] * inverse;
+/// The parameters in (0, 1) at which corners of patches lie between two points. All are multiples
+/// of a power of two, so the products are exact.
+std::vector<double> corners_between(const std::vector<PlacedPatch>& patches, const Parameters& from,
+                                    const Parameters& to) {
+  const double du = to[0] - from[0], dv = to[1] - from[1];
+  std::vector<double> found;
+  for (const PlacedPatch& patch : patches) {
+    for (const Parameters& corner : patch.corners) {
+      const double u = corner[0] - from[0], v = corner[1] - from[1];
+      if (u * dv != v * du) continue;
+      const double at = std::abs(du) > std::abs(dv) ? u / du : v / dv;
+      if (0 < at && at < 1) found.push_back(at);
     }
-    face.poles.push_back(std::move(pole));
   }
-  if (has_bad_weight(face)) throw Undecided("the sign of a weight");
-  return face;
-}
-
-TrimmedFace trimmed_face(const SkinPatch& patch, std::size_t place) {
-  TrimmedFace face{place, {{}}};
-  for (const ParameterPath& path : boundary(patch)) {
-    face.loops.front().push_back(edge_along(
-        [path, place](double at) {
-          const auto [p, q] = path(at);
-          return std::array{static_cast<double>(place) + p, q};
-        },
-        kParameterTolerance));
-  }
-  return face;
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 }  // namespace
 
-Skin::Skin(const QuadraticFamily& family, Sheet sheet, std::vector<std::string> notes)
-    : family_(family), notes_(std::move(notes)) {
-  std::vector<SkinPatch> patches;
-  append_patches(patches, family, sheet, kMostQuarterings);
-  patches_ = std::make_shared<const std::vector<SkinPatch>>(std::move(patches));
+std::vector<PlacedPatch> skin_patches(const QuadraticFamily& family, Sheet sheet) {
+  std::vector<PlacedPatch> patches;
+  append_patches(patches, {family}, sheet, kMostQuarterings);
+  return patches;
 }
 
-std::array<int, 2> Skin::degree() const {
-  std::array<int, 2> degree = {0, 0};
-  for (const SkinPatch& patch : *patches_) {
-    for (std::size_t c = 0; c < 2; ++c) degree[c] = std::max(degree[c], patch.degree[c]);
+std::vector<double> ends_along(const std::vector<PlacedPatch>& patches, std::size_t edge) {
+  return corners_between(patches, on_edge(edge, 0), on_edge(edge, 1));
+}
+
+std::vector<ExactPatch> exact_patches(const std::vector<PlacedPatch>& patches) {
+  std::vector<ExactPatch> result;
+  for (const auto& [patch, corners] : patches) {
+    ExactPatch exact{patch.degree, patch.sections, {}};
+    const auto paths = boundary(patch);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool is_outer = patch.sheet == Sheet::kOuter;
+      const std::size_t edge = is_outer ? k : 2 - k;
+      const Parameters &a = corners[edge], &b = corners[(edge + 1) % 3];
+      double from = 0;
+      for (const double to : corners_between(patches, is_outer ? a : b, is_outer ? b : a)) {
+        exact.boundary.push_back({part_of(paths[k], from, to), {}, {}});
+        from = to;
+      }
+      exact.boundary.push_back({part_of(paths[k], from, 1), {}, {}});
+    }
+    result.push_back(std::move(exact));
   }
-  return degree;
+  return result;
 }
 
-TrimmableNet Skin::net(Lines, long precision) const {
-  std::vector<FaceNet> faces(patches_->size());
-  for_each_index(faces.size(), [&](std::size_t i) {
-    faces[i] = face_net((*patches_)[i], static_cast<double>(i), precision);
-  });
-  return {std::make_shared<const SectionNet>(std::move(faces), precision), [patches = patches_] {
-            std::vector<TrimmedFace> trimmed(patches->size());
-            for_each_index(trimmed.size(),
-                           [&](std::size_t i) { trimmed[i] = trimmed_face((*patches)[i], i); });
-            return trimmed;
-          }};
-}
-
-OffsetRange Skin::regular_range() const {
+OffsetRange regular_range(const QuadraticFamily& family) {
   double least = INFINITY, largest = -INFINITY;
-  for (const auto& sphere : family_.control()) {
+  for (const auto& sphere : family.control()) {
     const double r = -sphere[3].to_double();
     least = std::min(least, r);
     largest = std::max(largest, r);
   }
-  const double radius = pn::regular_radius(family_);
+  const double radius = regular_radius(family);
   return {std::nextafter(-radius - least, INFINITY), std::nextafter(radius - largest, -INFINITY)};
 }
+
+Skin::Skin(const QuadraticFamily& family, Sheet sheet, std::vector<std::string> notes)
+    : PatchSource(exact_patches(skin_patches(family, sheet)), std::move(notes)), family_(family) {}
+
+OffsetRange Skin::regular_range() const { return pn::regular_range(family_); }
 
 }  // namespace pn

@@ -28,31 +28,12 @@ Vector difference(const Vector& x, const Vector& y) { return combined(x, 1L, y, 
 /// 2^-8 of it.
 constexpr int kMostHalvings = 8;
 
-/// Where in the triangle a part of it is, by its corners.
-struct Part {
-  QuadraticFamily family;
-  std::array<std::array<double, 2>, 3> corners;  ///< (u, v), of local u = 1, v = 1, w = 1
+std::array<double, 2> centre(const FamilyPart& part) {
+  const auto& [p, q, r] = part.corners;
+  return {(p[0] + q[0] + r[0]) / 3, (p[1] + q[1] + r[1]) / 3};
+}
 
-  std::array<double, 2> centre() const {
-    return {(corners[0][0] + corners[1][0] + corners[2][0]) / 3,
-            (corners[0][1] + corners[1][1] + corners[2][1]) / 3};
-  }
-
-  std::vector<Part> quartered() const {
-    const auto& [p, q, r] = corners;
-    const auto mean = [](const std::array<double, 2>& a, const std::array<double, 2>& b) {
-      return std::array{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
-    };
-    const auto pq = mean(p, q), pr = mean(p, r), qr = mean(q, r);
-    const auto parts = family.quartered();
-    return {{parts[0], {p, pq, pr}},
-            {parts[1], {pq, q, qr}},
-            {parts[2], {pr, qr, r}},
-            {parts[3], {qr, pr, pq}}};
-  }
-};
-
-std::optional<std::array<double, 2>> unreal_place(const Part& part, int halvings) {
+std::optional<std::array<double, 2>> unreal_place(const FamilyPart& part, int halvings) {
   const Form delta = metric(part.family).determinant;
   if (has_positive_coefficients(delta)) return std::nullopt;
   const int n = delta.degree();
@@ -60,8 +41,8 @@ std::optional<std::array<double, 2>> unreal_place(const Part& part, int halvings
   for (std::size_t c = 0; c < 3; ++c) {
     if (delta(corners[c][0], corners[c][1]).sign() <= 0) return part.corners[c];
   }
-  if (halvings == 0) return part.centre();
-  for (const Part& quarter : part.quartered()) {
+  if (halvings == 0) return centre(part);
+  for (const FamilyPart& quarter : part.quartered()) {
     if (const auto place = unreal_place(quarter, halvings - 1)) return place;
   }
   return std::nullopt;
@@ -179,6 +160,19 @@ std::array<QuadraticFamily, 4> QuadraticFamily::quartered() const {
           QuadraticFamily({vw, uw_vw, uw, uv_vw, uv_uw, uv})};
 }
 
+std::array<FamilyPart, 4> FamilyPart::quartered() const {
+  const auto& [p, q, r] = corners;
+  const auto mean = [](const std::array<double, 2>& a, const std::array<double, 2>& b) {
+    return std::array{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
+  };
+  const auto pq = mean(p, q), pr = mean(p, r), qr = mean(q, r);
+  const auto parts = family.quartered();
+  return {{{parts[0], {p, pq, pr}},
+           {parts[1], {pq, q, qr}},
+           {parts[2], {pr, qr, r}},
+           {parts[3], {qr, pr, pq}}}};
+}
+
 FamilyMetric metric(const QuadraticFamily& family) {
   const auto [fu, fv] = family.derivatives();
   const Form g11 = minkowski(fu, fu), g12 = minkowski(fu, fv), g22 = minkowski(fv, fv);
@@ -186,7 +180,7 @@ FamilyMetric metric(const QuadraticFamily& family) {
 }
 
 std::optional<std::array<double, 2>> unreal_place(const QuadraticFamily& family) {
-  return unreal_place({family, {{{1, 0}, {0, 1}, {0, 0}}}}, kMostHalvings);
+  return unreal_place({family}, kMostHalvings);
 }
 
 double regular_radius(const QuadraticFamily& family) {

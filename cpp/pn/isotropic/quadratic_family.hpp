@@ -70,6 +70,15 @@ class QuadraticFamily {
   Control control_;
 };
 
+/// A part of a family: the family over one of the triangles that the first is divided into.
+struct FamilyPart {
+  QuadraticFamily family;
+  /// (u, v) of its corners u = 1, v = 1, w = 1 in the first triangle.
+  std::array<std::array<double, 2>, 3> corners = {{{1, 0}, {0, 1}, {0, 0}}};
+
+  std::array<FamilyPart, 4> quartered() const;
+};
+
 /// g11, g12, g22 and det g.
 struct FamilyMetric {
   TernaryForm<Rational> g11, g12, g22, determinant;

@@ -53,6 +53,9 @@ BoundaryCurve from_geometry(const Geom_BSplineCurve& geometry) {
   return curve;
 }
 
+// Images of trims are compared at so many places: between them they are smooth.
+constexpr int kComparedSteps = 16;
+
 // The part of a curve between two parameters.
 Handle(Geom_BSplineCurve)
     segment(const Handle(Geom_BSplineCurve) & whole, double first, double last) {
@@ -178,16 +181,48 @@ Run SharedEdges::run_along(std::size_t edge, const SidePiece& piece, Corners& co
 
 Run SharedEdges::run_trim(const ParameterCurve& trim, const Handle(Geom_BSplineCurve) & image,
                           Corners& corners) {
-  const auto vertex = [&](const ParameterPoint& corner, const gp_Pnt& end) {
-    const std::size_t v = vertices_.at(coordinates(end));
-    vertices_.unite(corners.emplace(corner, v).first->second, v);
-    return v;
-  };
   const double first = trim.knots.front();
   const double last = trim.knots.back();
-  edges_.push_back({image, first, last, vertex(trim.poles.front(), image->StartPoint()),
-                    vertex(trim.poles.back(), image->EndPoint())});
-  return {edges_.size() - 1, TopAbs_FORWARD, pn::to_geometry(trim), first, last};
+  const Handle(Geom2d_Curve) p_curve = pn::to_geometry(trim);
+  const auto join = [&](const ParameterPoint& corner, std::size_t vertex) {
+    vertices_.unite(corners.emplace(corner, vertex).first->second, vertex);
+  };
+  if (const auto match = find_trim(image)) {
+    const Edge& e = edges_[match->edge];
+    const bool is_forward = match->orientation == TopAbs_FORWARD;
+    join(trim.poles.front(), is_forward ? e.start : e.end);
+    join(trim.poles.back(), is_forward ? e.end : e.start);
+    if (!is_forward) p_curve->Reverse();
+    return {match->edge, match->orientation, p_curve, first, last};
+  }
+  const std::size_t start = vertices_.at(coordinates(image->StartPoint())),
+                    end = vertices_.at(coordinates(image->EndPoint()));
+  join(trim.poles.front(), start);
+  join(trim.poles.back(), end);
+  trims_.push_back(edges_.size());
+  edges_.push_back({image, first, last, start, end});
+  return {edges_.size() - 1, TopAbs_FORWARD, p_curve, first, last};
+}
+
+std::optional<SharedEdges::TrimMatch> SharedEdges::find_trim(const Handle(Geom_BSplineCurve) &
+                                                             image) const {
+  const double first = image->FirstParameter();
+  const double last = image->LastParameter();
+  for (const std::size_t edge : trims_) {
+    const Edge& e = edges_[edge];
+    if (e.first != first || e.last != last) continue;
+    const auto coincides = [&](double from, double to) {
+      for (int k = 0; k <= kComparedSteps; ++k) {
+        const double part = static_cast<double>(k) / kComparedSteps;
+        const gp_Pnt own = image->Value(first + part * (last - first));
+        if (own.Distance(e.curve->Value(from + part * (to - from))) > kTolerance) return false;
+      }
+      return true;
+    };
+    if (coincides(first, last)) return TrimMatch{edge, TopAbs_FORWARD};
+    if (coincides(last, first)) return TrimMatch{edge, TopAbs_REVERSED};
+  }
+  return std::nullopt;
 }
 
 std::optional<std::size_t> SharedEdges::find(const SidePiece& piece) const {

@@ -65,8 +65,10 @@ class SharedVertices {
 ///
 /// - Two pieces of sides are one edge when they coincide in either direction (boundary.hpp); both
 ///   may belong to one face, which then has a seam.
-/// - A piece of a side that is a single point is a degenerate edge, every trim is an edge of its
-///   own, fitted to 1e-9 mm (curve_on_surface.hpp).
+/// - A piece of a side that is a single point is a degenerate edge.
+/// - Trims are fitted to 1e-9 mm (curve_on_surface.hpp). Two of them are one edge when their images
+///   have the same points at equal parameters, or at opposite ones, to OpenCASCADE's smallest
+///   tolerance, 1e-7 mm: trims of different surfaces have no numbers in common.
 /// - Edges that meet in one corner (u, v) of a face share a vertex there, and so do edges with ends
 ///   that are equal bit for bit. The vertex lies on the side where there is one.
 class SharedEdges {
@@ -110,10 +112,17 @@ class SharedEdges {
   Run run_trim(const ParameterCurve& trim, const Handle(Geom_BSplineCurve) & image,
                Corners& corners);
   Run run_along(std::size_t edge, const SidePiece& piece, Corners& corners);
+  // The trim that has the same image, and how the new one runs along it.
+  struct TrimMatch {
+    std::size_t edge;
+    TopAbs_Orientation orientation;
+  };
+  std::optional<TrimMatch> find_trim(const Handle(Geom_BSplineCurve) & image) const;
   std::optional<std::size_t> find(const SidePiece& piece) const;
   std::size_t make(const SidePiece& piece);
 
   std::vector<Edge> edges_;
+  std::vector<std::size_t> trims_;  // Those of the edges that are trims.
   std::multimap<std::vector<std::array<double, 3>>, SharedSide> sides_with_poles_;
   SharedVertices vertices_;
 };
