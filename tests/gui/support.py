@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A document with two spines in FreeCAD's window, for the tests of commands and panels."""
 
+import contextlib
+import gc
+import inspect
 import itertools
 import math
 import unittest
@@ -25,6 +28,7 @@ class GuiTest(unittest.TestCase):
     def setUp(self):
         self._forget_preferences()
         self.addCleanup(self._forget_preferences)
+        self.addCleanup(_forget_last_error)
         main_window.show()
         self.document = FreeCAD.newDocument()
         self.addCleanup(self._close_documents)
@@ -106,6 +110,16 @@ class GuiTest(unittest.TestCase):
         for name in FreeCAD.listDocuments():
             FreeCAD.closeDocument(name)
         main_window.settle()
+
+
+def _forget_last_error():
+    """FreeCAD keeps the last error of Python, and with it the frames of the test and their panels.
+
+    Their widgets would be mistaken for later ones at the same address.
+    """
+    for frame in filter(inspect.isframe, gc.get_objects()):
+        with contextlib.suppress(RuntimeError):  # It is still running.
+            frame.clear()
 
 
 def make_wall(panel, distance, sides):

@@ -31,6 +31,9 @@ constexpr int kFewestSteps = 2;
 constexpr int kMostSteps = 9;
 constexpr double kNodes = 40'000;
 
+// A p-curve of one speed is off its place by rounding only, in parts of its length.
+constexpr double kUneven = 1e-9;
+
 // A side of the parameter rectangle as an edge runs it: nodes with the edge's parameters, which
 // rise.
 struct SideOfGrid {
@@ -62,6 +65,10 @@ class Grid {
 
   const std::vector<double>& u() const { return u_; }
   const std::vector<double>& v() const { return v_; }
+  gp_Pnt2d place(int node) const {
+    const auto index = static_cast<std::size_t>(node - 1);
+    return {u_[index / v_.size()], v_[index % v_.size()]};
+  }
   int node(std::size_t i, std::size_t j) const { return static_cast<int>(i * v_.size() + j) + 1; }
 
   // The nodes along a side from one corner of the rectangle to another; none when the two points
@@ -105,7 +112,8 @@ class Grid {
   std::vector<double> u_, v_;
 };
 
-// The side that an edge of a face runs along; nothing when it is no whole side.
+// The side that an edge of a face runs along; nothing when it is no whole side, or the edge runs
+// along it with uneven speed, as one does that was made for another face.
 std::optional<SideOfGrid> side_of(const TopoDS_Edge& edge, const TopoDS_Face& face,
                                   const Grid& grid) {
   double first, last;
@@ -114,13 +122,12 @@ std::optional<SideOfGrid> side_of(const TopoDS_Edge& edge, const TopoDS_Face& fa
   const gp_Pnt2d start = p_curve->Value(first), end = p_curve->Value(last);
   SideOfGrid side{edge, grid.side(start, end), {}};
   if (side.nodes.empty()) return std::nullopt;
-  // The edge runs along its side with one speed, as all p-curves of whole sides do.
-  const bool along_u = start.Y() == end.Y();
+  const double length = start.Distance(end);
   for (const int node : side.nodes) {
-    const std::size_t i = (node - 1) / grid.v().size(), j = (node - 1) % grid.v().size();
-    const double part = along_u ? (grid.u()[i] - start.X()) / (end.X() - start.X())
-                                : (grid.v()[j] - start.Y()) / (end.Y() - start.Y());
-    side.parameters.push_back(first + (last - first) * part);
+    const gp_Pnt2d place = grid.place(node);
+    const double parameter = first + (last - first) * start.Distance(place) / length;
+    if (p_curve->Value(parameter).Distance(place) > kUneven * length) return std::nullopt;
+    side.parameters.push_back(parameter);
   }
   return side;
 }
