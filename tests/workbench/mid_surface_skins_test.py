@@ -8,6 +8,7 @@ from FreeCAD import Vector
 from support import DocumentTest, Recovery
 
 import pnsurfaces
+from pnsurfaces import kernel
 from pnsurfaces.mid_surface_skins import read_net
 
 # A dome: corners, then the points between them.
@@ -48,6 +49,40 @@ class Skins(DocumentTest):
         self.assertEqual(both.Poles, sum(part.Poles for part in parts))
         heights = [part.Shape.BoundBox.ZMax for part in parts]
         self.assertLess(heights[0], heights[1])
+
+    def test_solid(self):
+        """Both skins, closed by three strips and three parts of spheres."""
+        obj = self.make(NET, RADII, Output="Solid")
+        self.assertEqual(obj.Status, "Valid")
+        self.assertEqual((obj.Shape.ShapeType, len(obj.Shape.Faces)), ("Solid", 8))
+        self.assertTrue(obj.Shape.isClosed())
+        brep = obj.Shape.exportBrepToString()
+        self.assertEqual(kernel.pnocct().check(brep, boolean=True), [])
+        self.assert_certified(obj)
+        box = Part.makeBox(60, 60, 60, Vector(20, -10, -20))
+        parts = [obj.Shape.cut(box), obj.Shape.common(box)]
+        self.assertTrue(all(part.isValid() for part in parts))
+        volumes = [kernel.pnocct().volume(part.exportBrepToString()) for part in parts]
+        self.assertAlmostEqual(sum(volumes) / obj.Volume.Value, 1, delta=1e-6)
+
+    def test_the_volume_of_the_solid_is_a_cubic_of_the_distance(self):
+        """V(d) has the leading coefficient 4 pi / 3: its normals cover the sphere once."""
+        obj = self.make(NET, RADII, Output="Solid")
+        distances, volumes = (-1.0, 0.0, 1.0, 2.0), []
+        for distance in distances:
+            obj.Distance = distance
+            self.document.recompute()
+            self.assertTrue(obj.isValid(), obj.getStatusString())
+            volumes.append(obj.Volume.Value)
+        third_difference = np.diff(volumes, 3)[0]
+        self.assertAlmostEqual(third_difference / 6, 4 * np.pi / 3, delta=1e-6)
+        self.assertGreater(volumes[1], 0)
+
+    def test_one_skin_is_no_solid(self):
+        obj = pnsurfaces.make_mid_surface_skins(
+            NET, RADII, document=self.document, Skins="Outer skin", Output="Solid"
+        )
+        self.assert_error(obj, "One skin encloses no solid.")
 
     def test_vertices_are_followed(self):
         source = self.shape_object(

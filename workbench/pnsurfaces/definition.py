@@ -23,6 +23,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from pnsurfaces.canal_surface import CanalSurface, read_bore, read_spheres
+from pnsurfaces.feature import SOLID
 from pnsurfaces.mid_surface_skins import MidSurfaceSkins, read_net
 from pnsurfaces.quadric_form import standard_equation
 from pnsurfaces.quadric_offset import KINDS, OF_FACE, QuadricOffset, half_axes, read_face
@@ -51,7 +52,7 @@ _GRID_OF_NET = 17
 
 
 def definition_of(obj):
-    """The definition of a feature: Spheres, Rulings, Quadric or SphereNet; None for another object."""
+    """The definition of a feature: Spheres, Rulings, Quadric, SphereNet or BallNet; None for another object."""
     proxy = type(getattr(obj, "Proxy", None))
     return _DEFINITIONS[proxy](obj) if proxy in _DEFINITIONS else None
 
@@ -205,6 +206,53 @@ class SphereNet(NamedTuple):
         )
 
 
+class BallNet(NamedTuple):
+    """The union of the balls of a quadratic triangle of spheres, as SphereNet.
+
+    Its boundary touches a sphere inside the triangle, or one of an edge among those of the edge, or a
+    corner.
+    """
+
+    spheres: np.ndarray
+
+    words = "balls of the family: distance from the boundary of their union"
+
+    def deviations(self, points, normals, distance):
+        a, b, c, ab, bc, ca = self.spheres
+        edges = ((a, ab, b), (b, bc, c), (c, ca, a))
+        parts = [
+            SphereNet(self.spheres).deviations(points, normals, distance),
+            *(_from_edge(np.array(edge), points, distance) for edge in edges),
+            *(_from_sphere(corner, points, distance) for corner in (a, b, c)),
+        ]
+        return np.min(parts, axis=0)
+
+
+def _from_edge(spheres, points, distance):
+    """How far points are from the envelope of the spheres (3, 4) of a quadratic Bezier curve."""
+    a, ab, b = spheres
+    t = np.linspace(0, 1, _GRID_OF_NET)[:, None]
+    start = (1 - t) ** 2 * a + 2 * t * (1 - t) * ab + t**2 * b
+    gaps = _length(points[:, None] - start[:, :3]) - start[:, 3]
+    t = t[gaps.argmin(axis=1)]
+    for _ in range(_NEWTON_STEPS):
+        sphere = (1 - t) ** 2 * a + 2 * t * (1 - t) * ab + t**2 * b
+        slope, bend = 2 * ((1 - t) * (ab - a) + t * (b - ab)), 2 * (a - 2 * ab + b)
+        rays, radius = points - sphere[:, :3], sphere[:, 3] + distance
+        value = _dot(rays, slope[:, :3]) + radius * slope[:, 3]
+        change = (
+            _dot(rays, bend[:3]) + radius * bend[3]
+            - _dot(slope[:, :3], slope[:, :3]) + slope[:, 3] ** 2
+        )
+        t = np.clip(t - (value / change)[:, None], 0, 1)
+    sphere = (1 - t) ** 2 * a + 2 * t * (1 - t) * ab + t**2 * b
+    return np.abs(_length(points - sphere[:, :3]) - np.abs(sphere[:, 3] + distance))
+
+
+def _from_sphere(sphere, points, distance):
+    return np.abs(_length(points - sphere[:3]) - np.abs(sphere[3] + distance))
+
+
 class PiecewiseRational:
     """A function of one parameter, from the spans that pnkernel gives."""
 
@@ -326,5 +374,5 @@ _DEFINITIONS = {
     CanalSurface: lambda obj: _spheres(*read_spheres(obj)),
     RuledOffset: _rulings,
     QuadricOffset: _quadric,
-    MidSurfaceSkins: lambda obj: SphereNet(read_net(obj)),
+    MidSurfaceSkins: lambda obj: (BallNet if obj.Output == SOLID else SphereNet)(read_net(obj)),
 }

@@ -7,6 +7,7 @@ import numpy as np
 from pnsurfaces import kernel
 from pnsurfaces.feature import (
     QT_TRANSLATE_NOOP,
+    SOLID,
     Base,
     FeatureBase,
     Property,
@@ -63,7 +64,22 @@ class MidSurfaceSkins(FeatureBase):
 
     def base(self, inputs):
         family = kernel.pnkernel().sphere_family(read_net(inputs)[list(_KERNEL_ORDER)])
-        return Base(SKINS[inputs.Skins](*family.skins), notes=tuple(family.notes))
+        surface = _boundary(inputs, family) if inputs.Output == SOLID else _skins(inputs, family)
+        return Base(surface, notes=tuple(family.notes))
+
+    def has_same_base(self, inputs, others):
+        return super().has_same_base(inputs, others) and inputs.Output == others.Output
+
+
+def _skins(inputs, family):
+    return SKINS[inputs.Skins](*family.skins)
+
+
+def _boundary(inputs, family):
+    """The skins with what closes them: strips along the edges, parts of the corner spheres."""
+    if inputs.Skins != BOTH_SKINS:
+        raise NetError("One skin encloses no solid. Choose both skins, or a surface.")
+    return family.solid()
 
 
 def read_net(inputs):
@@ -110,7 +126,8 @@ def make_mid_surface_skins(points, radii, distance=0, *, document=None, name="Mi
     distance : signed offset of both skins, positive makes the part thicker
     document : the document of the vertices, or the active one, unless given
     name : wanted internal name and label
-    properties : values of further properties, such as Skins="Outer skin"
+    properties : values of further properties, such as Skins="Outer skin" or Output="Solid", the
+        union of all balls, rounded along its edges
 
     Returns the document object. A surface that cannot be computed is there all the same, as in the
     tree, with the reason in getStatusString() and the property Status.
