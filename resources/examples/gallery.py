@@ -95,4 +95,13 @@ EXAMPLES = (
         ),
         ("Shell", "Lining", "Wall"), ("Wall",), 40, 24,
     ),
+    Example(
+        "rounded_bracket",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Rounded bracket"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces",
+            "The union of all balls of six spheres, rounded everywhere, with a hole at each corner.",
+        ),
+        ("Body",), ("Body",), 20, 40,
+    ),
 )

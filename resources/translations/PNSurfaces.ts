@@ -695,6 +695,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Rounded bracket</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Ruled surface offset</source>
             <translation type="unfinished" />
         </message>
@@ -760,6 +764,10 @@
         </message>
         <message>
             <source>The clipboard has no table of {} columns of numbers.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The union of all balls of six spheres, rounded everywhere, with a hole at each corner.</source>
             <translation type="unfinished" />
         </message>
         <message>

@@ -695,6 +695,10 @@
             <translation>Relative Länge</translation>
         </message>
         <message>
+            <source>Rounded bracket</source>
+            <translation>Gerundeter Halter</translation>
+        </message>
+        <message>
             <source>Ruled surface offset</source>
             <translation>Versatz einer Regelfläche</translation>
         </message>
@@ -761,6 +765,10 @@
         <message>
             <source>The clipboard has no table of {} columns of numbers.</source>
             <translation>In der Zwischenablage ist keine Tabelle mit {} Spalten von Zahlen.</translation>
+        </message>
+        <message>
+            <source>The union of all balls of six spheres, rounded everywhere, with a hole at each corner.</source>
+            <translation>Die Vereinigung aller Kugeln aus sechs Kugeln, überall gerundet, mit einem Loch an jeder Ecke.</translation>
         </message>
         <message>
             <source>The wall of a one-sheet hyperboloid, equally thick from foot to rim.</source>
