@@ -105,7 +105,11 @@ class Grid {
   std::vector<double> u_, v_;
 };
 
-// The side that an edge of a face runs along; nothing when it is no whole side.
+// A p-curve that is off by no more, in parameters, runs where a side does.
+constexpr double kSameParameter = 1e-9;
+
+// The side that an edge of a face runs along with one speed; nothing when it is no whole side, or a
+// trim along it with a speed of its own.
 std::optional<SideOfGrid> side_of(const TopoDS_Edge& edge, const TopoDS_Face& face,
                                   const Grid& grid) {
   double first, last;
@@ -114,13 +118,16 @@ std::optional<SideOfGrid> side_of(const TopoDS_Edge& edge, const TopoDS_Face& fa
   const gp_Pnt2d start = p_curve->Value(first), end = p_curve->Value(last);
   SideOfGrid side{edge, grid.side(start, end), {}};
   if (side.nodes.empty()) return std::nullopt;
-  // The edge runs along its side with one speed, as all p-curves of whole sides do.
   const bool along_u = start.Y() == end.Y();
   for (const int node : side.nodes) {
     const std::size_t i = (node - 1) / grid.v().size(), j = (node - 1) % grid.v().size();
     const double part = along_u ? (grid.u()[i] - start.X()) / (end.X() - start.X())
                                 : (grid.v()[j] - start.Y()) / (end.Y() - start.Y());
     side.parameters.push_back(first + (last - first) * part);
+    const gp_Pnt2d place(grid.u()[i], grid.v()[j]);
+    if (p_curve->Value(side.parameters.back()).Distance(place) > kSameParameter) {
+      return std::nullopt;
+    }
   }
   return side;
 }
