@@ -100,10 +100,12 @@ NormalArc outer_arc(const FamilyInDoubles& family, std::size_t edge, double at) 
   const auto around = [&](const Vector3d& n) { return Vector3d(n - n.dot(axis) * axis); };
   double angle = angle_about(axis, around(inner), around(outer));
   if (!f.is_outwards(turned(angle / 2))) angle += angle > 0 ? -2 * M_PI : 2 * M_PI;
-  return [=](double part) {
+  // Both ends are those of the skins, bit for bit.
+  const Vector3d rounding = outer - turned(angle);
+  return [=](double part) -> Vector3d {
     if (part == 0) return inner;
     if (part == 1) return outer;
-    return turned(part * angle);
+    return turned(part * angle) + part * rounding;
   };
 }
 
@@ -190,14 +192,14 @@ SurfaceSections<RealBall> strip_sections(const Envelope& envelope, const StripLi
   return result;
 }
 
-void append_pieces(std::vector<PatchEdge>& boundary, const ParameterPath& path,
+void append_pieces(std::vector<ParameterPath>& boundary, const ParameterPath& path,
                    const std::vector<double>& ends) {
   double from = 0;
   for (const double to : ends) {
-    boundary.push_back({part_of(path, from, to), {}, {}});
+    boundary.push_back(part_of(path, from, to));
     from = to;
   }
-  boundary.push_back({part_of(path, from, 1), {}, {}});
+  boundary.push_back(part_of(path, from, 1));
 }
 
 }  // namespace
@@ -241,9 +243,9 @@ ExactPatch edge_strip(const QuadraticFamily& family, std::size_t edge,
     outer_back.push_back(1 - *end);
   }
   append_pieces(strip.boundary, seam(Sheet::kInner, true), inner_ends);
-  strip.boundary.push_back({end_circle(1), {}, {}});
+  strip.boundary.push_back(end_circle(1));
   append_pieces(strip.boundary, seam(Sheet::kOuter, false), outer_back);
-  strip.boundary.push_back({end_circle(0), {}, {}});
+  strip.boundary.push_back(end_circle(0));
   return strip;
 }
 

@@ -13,20 +13,6 @@ namespace {
 /// their base points, and doubles resolve less there.
 constexpr double kParameterTolerance = 2e-13;
 
-/// A side that is one point is exported as one.
-void gather(FaceNet& face, const PatchEdge& side) {
-  const std::size_t columns = face.frame.v_count(), rows = face.frame.u_count();
-  const bool is_row = side.start[0] == side.end[0];
-  const std::size_t first = is_row ? (side.start[0] == 0 ? 0 : (rows - 1) * columns)
-                                   : (side.start[1] == 0 ? 0 : columns - 1);
-  const std::size_t step = is_row ? 1 : columns, count = is_row ? columns : rows;
-  for (std::size_t k = 1; k < count; ++k) {
-    NetPole& pole = face.poles[first + k * step];
-    pole.point = face.poles[first].point;
-    pole.direction = face.poles[first].direction;
-  }
-}
-
 /// One Bezier patch, its first parameter counted from `place` on.
 FaceNet face_net(const ExactPatch& patch, double place, long precision) {
   FaceNet face;
@@ -58,25 +44,18 @@ FaceNet face_net(const ExactPatch& patch, double place, long precision) {
     }
     face.poles.push_back(std::move(pole));
   }
-  for (const PatchEdge& edge : patch.boundary) {
-    if (!edge.path) gather(face, edge);
-  }
   if (has_bad_weight(face)) throw Undecided("the sign of a weight");
   return face;
 }
 
 TrimmedFace trimmed_face(const ExactPatch& patch, std::size_t place) {
-  const auto moved = [place](const std::array<double, 2>& at) {
-    return std::array{static_cast<double>(place) + at[0], at[1]};
-  };
   TrimmedFace face{place, {{}}};
-  for (const PatchEdge& edge : patch.boundary) {
-    if (edge.path) {
-      face.loops.front().push_back(edge_along(
-          [path = edge.path, moved](double at) { return moved(path(at)); }, kParameterTolerance));
-    } else {
-      face.loops.front().push_back(straight_edge(moved(edge.start), moved(edge.end)));
-    }
+  for (const ParameterPath& path : patch.boundary) {
+    const auto moved = [path, place](double at) {
+      const auto [p, q] = path(at);
+      return std::array{static_cast<double>(place) + p, q};
+    };
+    face.loops.front().push_back(edge_along(moved, kParameterTolerance));
   }
   return face;
 }

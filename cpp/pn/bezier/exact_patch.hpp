@@ -13,19 +13,12 @@
 
 namespace pn {
 
-/// A piece of the boundary in the parameters [0, 1]^2: a path, or a whole side of the square that
-/// is one point of the surface.
-struct PatchEdge {
-  ParameterPath path;                          ///< none: a side that is one point
-  std::array<double, 2> start = {}, end = {};  ///< of such a side
-};
-
 struct ExactPatch {
   std::array<int, 2> degree;
   /// Its sections over [0, 1]^2, enclosed at this precision [bits].
   std::function<SurfaceSections<RealBall>(long)> sections;
-  /// One loop, the patch on its left.
-  std::vector<PatchEdge> boundary;
+  /// Pieces of one loop in [0, 1]^2, the patch on its left.
+  std::vector<ParameterPath> boundary;
 };
 
 /// The part of a path between two of its parameters, over [0, 1].

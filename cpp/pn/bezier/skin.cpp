@@ -91,10 +91,10 @@ std::vector<ExactPatch> exact_patches(const std::vector<PlacedPatch>& patches) {
       const Parameters &a = corners[edge], &b = corners[(edge + 1) % 3];
       double from = 0;
       for (const double to : corners_between(patches, is_outer ? a : b, is_outer ? b : a)) {
-        exact.boundary.push_back({part_of(paths[k], from, to), {}, {}});
+        exact.boundary.push_back(part_of(paths[k], from, to));
         from = to;
       }
-      exact.boundary.push_back({part_of(paths[k], from, 1), {}, {}});
+      exact.boundary.push_back(part_of(paths[k], from, 1));
     }
     result.push_back(std::move(exact));
   }

@@ -8,7 +8,12 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <array>
 #include <complex>
+#include <optional>
+#include <vector>
+
+#include "pn/isotropic/along_surface.hpp"
 
 namespace pn {
 
@@ -33,6 +38,25 @@ class Stereographic {
  private:
   Spinor north_;
 };
+
+/// A parallelogram in the plane of z: z = origin + p across[0] + q across[1], p and q in [0, 1].
+struct PlaneFrame {
+  std::complex<double> origin;
+  std::array<std::complex<double>, 2> across;
+
+  /// (p, q) of z.
+  std::array<double, 2> parameters(const std::complex<double>& z) const;
+};
+
+/// The parallelogram around some points and a margin, with the directions of another, of short
+/// numbers; nothing when they lie on a line.
+std::optional<PlaneFrame> frame_around(const std::vector<std::complex<double>>& points,
+                                       const PlaneFrame& directions);
+
+/// The isotropic vectors of the normals in a parallelogram, times a number that makes their
+/// coefficients integers.
+IsotropicPolynomials<Rational> isotropic_polynomials(const Stereographic& chart,
+                                                     const PlaneFrame& frame);
 
 /// The multiple of a power of two that has about so many bits, as many as a number of this size.
 double shortened(double x, double size, int bits);

@@ -58,4 +58,14 @@ SurfaceSections<Rational> without_common_factor(SurfaceSections<Rational> sectio
   return sections;
 }
 
+SurfaceSections<RealBall> in_balls(const SurfaceSections<Rational>& exact, long bits) {
+  const auto converted = [bits](const TensorPolynomial<Rational>& p) {
+    return p.mapped([bits](const Rational& c) { return RealBall(c, bits); });
+  };
+  return {
+      {converted(exact.point[0]), converted(exact.point[1]), converted(exact.point[2])},
+      {converted(exact.direction[0]), converted(exact.direction[1]), converted(exact.direction[2])},
+      converted(exact.weight)};
+}
+
 }  // namespace pn

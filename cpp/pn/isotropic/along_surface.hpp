@@ -114,6 +114,9 @@ SurfaceSections<Rational> scaled_sections(const IntegerPowerForm& f,
 SurfaceSections<Rational> without_common_factor(SurfaceSections<Rational> sections,
                                                 const TensorPolynomial<Rational>& e);
 
+/// The same sections, enclosed at this precision [bits].
+SurfaceSections<RealBall> in_balls(const SurfaceSections<Rational>& exact, long bits);
+
 /// Polynomials over Q times one number that makes their coefficients integers: for projective use.
 template <std::size_t Count>
 std::array<TensorPolynomial<Rational>, Count> with_integers(
