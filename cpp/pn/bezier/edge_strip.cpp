@@ -100,12 +100,10 @@ NormalArc outer_arc(const FamilyInDoubles& family, std::size_t edge, double at) 
   const auto around = [&](const Vector3d& n) { return Vector3d(n - n.dot(axis) * axis); };
   double angle = angle_about(axis, around(inner), around(outer));
   if (!f.is_outwards(turned(angle / 2))) angle += angle > 0 ? -2 * M_PI : 2 * M_PI;
-  // Both ends are those of the skins, bit for bit.
-  const Vector3d rounding = outer - turned(angle);
-  return [=](double part) -> Vector3d {
+  return [=](double part) -> Vector3d {  // with the ends of the skins, bit for bit
     if (part == 0) return inner;
     if (part == 1) return outer;
-    return turned(part * angle) + part * rounding;
+    return turned(part * angle);
   };
 }
 
