@@ -273,8 +273,8 @@ PYBIND11_MODULE(pnocct, m) {
         "Return the shell of the faces, or a compound of a shell for each part that hangs "
         "together.\n\n"
         "Sides of faces that have the same poles, bit for bit and in either direction, are one\n"
-        "edge, and so are pieces of such sides between the same points. Edges along trims inside\n"
-        "a surface lie within 1e-9 mm of it. Raises ValueError when there is no face or a loop of\n"
+        "edge, and so are pieces of such sides between the same points, and trims with the same\n"
+        "points. Edges along trims inside a surface lie within 1e-9 mm of it. Raises ValueError when there is no face or a loop of\n"
         "trims is not closed.");
   m.def("capped_solid", &capped_solid, "faces"_a,
         "Return the solid inside the shell of the faces, its open ends closed by planar faces.\n\n"

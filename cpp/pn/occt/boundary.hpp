@@ -3,7 +3,8 @@
 //
 // Faces that meet carry the same poles along their common side, so that neighbours are found by
 // comparing numbers, without a sewing tolerance. Weights may differ by a common factor and knots by
-// an affine map: both leave the curve as it is. Trims inside a surface belong to one face only.
+// an affine map: both leave the curve as it is. Trims inside a surface are compared by their images
+// in space (shared_edges.hpp).
 #pragma once
 
 #include <array>

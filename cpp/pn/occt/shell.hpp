@@ -20,8 +20,8 @@ namespace pn {
 /// - Edges that meet in a corner of a face, and ends of edges that are equal bit for bit, share a
 ///   vertex.
 /// - A side that is a single point is a degenerate edge.
-/// - Sides are exact; trims inside a surface belong to its face alone and lie within 1e-9 mm of it,
-///   which `trim_deviation` measures (curve_on_surface.hpp).
+/// - Sides are exact; trims lie within 1e-9 mm of their surface, which `trim_deviation` measures
+///   (curve_on_surface.hpp). Trims of two faces with the same points are one edge.
 ///
 /// Faces point along S_u x S_v; where two neighbours disagree, the later one is reversed. A shell
 /// is marked closed when no edge is free. An edge is marked as smooth as its faces are there.
