@@ -145,3 +145,25 @@ TEST_CASE("A side that is a point is degenerate") {
   }
   CHECK(points == 2);
 }
+
+TEST_CASE("Trims of two faces with the same points are one edge, run in opposite directions") {
+  // Two triangles of one paraboloid on both sides of a diagonal, on surfaces of their own.
+  const auto triangle = [](std::array<double, 2> a, std::array<double, 2> b,
+                           std::array<double, 2> c) {
+    const auto side = [](std::array<double, 2> p, std::array<double, 2> q) {
+      // Of degree 2: a curve of degree 1 with two poles has to lie on a side.
+      return pn::ParameterCurve{2, {0, 1}, {3, 3}, {p, {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2}, q}};
+    };
+    return pn::test::within(pn::test::paraboloid(), {{side(a, b), side(b, c), side(c, a)}});
+  };
+  const std::array<double, 2> a = {-0.5, -0.5}, b = {0.5, -0.5}, c = {0.5, 0.5}, d = {-0.5, 0.5};
+  SharedEdges edges;
+  const auto first = pn::runs(add(edges, triangle(a, b, c)));
+  const auto second = pn::runs(add(edges, triangle(a, c, d)));
+  CHECK(edges.size() == 5);
+  CHECK(first[2].edge == second[0].edge);
+  CHECK(first[2].orientation != second[0].orientation);
+  // The p-curve runs in the direction of the edge.
+  const gp_Pnt2d start = second[0].p_curve->Value(second[0].first);
+  CHECK(start.Distance(gp_Pnt2d(c[0], c[1])) < 1e-12);
+}
