@@ -95,11 +95,15 @@ TEST_CASE("Vertices at the corners of surfaces are their poles, bit for bit") {
   }
 }
 
-TEST_CASE("Every trim is an edge of its own, whatever it has in common with another") {
+TEST_CASE("Trims that differ by more than the tolerance are edges of their own") {
+  const auto patch = [](double a) {
+    return pn::test::within(pn::test::paraboloid(), {pn::test::oval({0, 0}, a, a)});
+  };
   SharedEdges edges;
-  const auto patch = pn::test::within(pn::test::paraboloid(), {pn::test::oval({0, 0}, 0.5, 0.5)});
-  add(edges, patch);
-  add(edges, patch);
+  add(edges, patch(0.5));
+  add(edges, patch(0.5 + 1e-6));
+  CHECK(edges.topology().size() == 8);
+  add(edges, patch(0.5));
   CHECK(edges.topology().size() == 8);
 }
 
