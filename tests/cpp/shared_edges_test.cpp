@@ -95,11 +95,15 @@ TEST_CASE("Vertices at the corners of surfaces are their poles, bit for bit") {
   }
 }
 
-TEST_CASE("Every trim is an edge of its own, whatever it has in common with another") {
+TEST_CASE("Trims that differ by more than the tolerance are edges of their own") {
+  const auto patch = [](double a) {
+    return pn::test::within(pn::test::paraboloid(), {pn::test::oval({0, 0}, a, a)});
+  };
   SharedEdges edges;
-  const auto patch = pn::test::within(pn::test::paraboloid(), {pn::test::oval({0, 0}, 0.5, 0.5)});
-  add(edges, patch);
-  add(edges, patch);
+  add(edges, patch(0.5));
+  add(edges, patch(0.5 + 1e-6));
+  CHECK(edges.topology().size() == 8);
+  add(edges, patch(0.5));
   CHECK(edges.topology().size() == 8);
 }
 
@@ -144,4 +148,26 @@ TEST_CASE("A side that is a point is degenerate") {
     CHECK(std::abs(edges.start_of(run.edge)[2]) == 1);
   }
   CHECK(points == 2);
+}
+
+TEST_CASE("Trims of two faces with the same points are one edge, run in opposite directions") {
+  // Two triangles of one paraboloid on both sides of a diagonal, on surfaces of their own.
+  const auto triangle = [](std::array<double, 2> a, std::array<double, 2> b,
+                           std::array<double, 2> c) {
+    const auto side = [](std::array<double, 2> p, std::array<double, 2> q) {
+      // Of degree 2: a curve of degree 1 with two poles has to lie on a side.
+      return pn::ParameterCurve{2, {0, 1}, {3, 3}, {p, {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2}, q}};
+    };
+    return pn::test::within(pn::test::paraboloid(), {{side(a, b), side(b, c), side(c, a)}});
+  };
+  const std::array<double, 2> a = {-0.5, -0.5}, b = {0.5, -0.5}, c = {0.5, 0.5}, d = {-0.5, 0.5};
+  SharedEdges edges;
+  const auto first = pn::runs(add(edges, triangle(a, b, c)));
+  const auto second = pn::runs(add(edges, triangle(a, c, d)));
+  CHECK(edges.size() == 5);
+  CHECK(first[2].edge == second[0].edge);
+  CHECK(first[2].orientation != second[0].orientation);
+  // The p-curve runs in the direction of the edge.
+  const gp_Pnt2d start = second[0].p_curve->Value(second[0].first);
+  CHECK(start.Distance(gp_Pnt2d(c[0], c[1])) < 1e-12);
 }
