@@ -12,11 +12,13 @@
 #include "pn/bezier/pn_surface.hpp"
 #include "pn/bezier/rounded_solid.hpp"
 #include "pn/bezier/skin.hpp"
+#include "pn/bezier/translational_skin.hpp"
 #include "pn/geometry_error.hpp"
 #include "pn/shapes/canal_surface.hpp"
 #include "pn/shapes/quadric.hpp"
 #include "pn/shapes/ruled_surface.hpp"
 #include "pn/shapes/sphere_family.hpp"
+#include "pn/shapes/translational_spheres.hpp"
 
 namespace py = pybind11;
 
@@ -168,6 +170,17 @@ pn::QuadricBounds bounds_of(const std::optional<Bounds>& bounds) {
   return result;
 }
 
+std::vector<std::array<double, 4>> sphere_poles_of(const Array& array) {
+  if (array.ndim() != 2 || array.shape(1) != 4) {
+    throw wrong_shape("The spheres must be an array of shape (n, 4).");
+  }
+  std::vector<std::array<double, 4>> spheres(static_cast<std::size_t>(array.shape(0)));
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    std::copy_n(array.data() + 4 * i, 4, spheres[i].begin());
+  }
+  return spheres;
+}
+
 std::array<std::array<double, 4>, 6> spheres_of(const Array& array) {
   if (array.ndim() != 2 || array.shape(0) != 6 || array.shape(1) != 4) {
     throw wrong_shape("The control spheres must be an array of shape (6, 4).");
@@ -177,13 +190,14 @@ std::array<std::array<double, 4>, 6> spheres_of(const Array& array) {
   return spheres;
 }
 
-/// Without the interpreter's lock, since it takes time.
-std::array<pn::PNSurface, 2> skins_of(const pn::SphereFamily& family) {
+/// The outer and the inner skin. Without the interpreter's lock, since it takes time.
+template <class Skin, class Family>
+std::array<pn::PNSurface, 2> skins_of(const Family& family, const std::vector<std::string>& notes) {
   const py::gil_scoped_release release;
-  std::array<std::shared_ptr<const pn::Skin>, 2> skins;
+  std::array<std::shared_ptr<const Skin>, 2> skins;
   pn::for_each_index(2, [&](std::size_t i) {
     const pn::Sheet sheet = i == 0 ? pn::Sheet::kOuter : pn::Sheet::kInner;
-    skins[i] = std::make_shared<const pn::Skin>(family.family, sheet, family.notes);
+    skins[i] = std::make_shared<const Skin>(family, sheet, notes);
   });
   return {pn::PNSurface(skins[0]), pn::PNSurface(skins[1])};
 }
@@ -516,7 +530,7 @@ void define_sphere_family(py::module_& module) {
       .def_property_readonly(
           "skins",
           [](const Family& family) {
-            const auto [outer, inner] = skins_of(family);
+            const auto [outer, inner] = skins_of<pn::Skin>(family.family, family.notes);
             return py::make_tuple(outer, inner);
           },
           "The two PNSurfaces m + r n: the outer one, whose normal n is on the side of m_u x m_v, "
@@ -545,6 +559,46 @@ void define_sphere_family(py::module_& module) {
       "GeometryError where it has no real envelope.");
 }
 
+void define_translational_spheres(py::module_& module) {
+  py::class_<pn::SphereSpline>(module, "SphereSpline",
+                               "A curve of spheres: a spline of centre and radius, in millimetres.")
+      .def_static(
+          "bezier",
+          [](const Array& spheres) { return pn::SphereSpline::bezier(sphere_poles_of(spheres)); },
+          py::arg("spheres"), "A Bezier curve over [0, 1]. spheres: (k + 1, 4), (x, y, z, r).")
+      .def_static(
+          "bspline",
+          [](int degree, const Array& knots, const std::vector<int>& multiplicities,
+             const Array& spheres) {
+            return pn::SphereSpline::bspline(
+                {degree, vector_of(knots, "knots"), multiplicities, sphere_poles_of(spheres), {}});
+          },
+          py::arg("degree"), py::arg("knots"), py::arg("multiplicities"), py::arg("spheres"),
+          "A clamped B-spline, like Curve.bspline. spheres: (n, 4), (x, y, z, r).");
+
+  using Spheres = pn::TranslationalSpheres;
+  py::class_<Spheres>(module, "TranslationalSpheres",
+                      "A two-parameter family of spheres f(u, v) = c(u) + d(v): a curve of spheres "
+                      "that is translated along another one.")
+      .def_property_readonly(
+          "skins",
+          [](const Spheres& spheres) {
+            const auto [outer, inner] =
+                skins_of<pn::TranslationalSkin>(spheres.spline, spheres.notes);
+            return py::make_tuple(outer, inner);
+          },
+          "The two PNSurfaces m + r n: the outer one, whose normal n is on the side of m_u x m_v, "
+          "and the inner one. Both normals point away from the mid-surface, so offsets d > 0 "
+          "thicken. Raises GeometryError.")
+      .def_readonly("notes", &Spheres::notes, "What to know of the family, in sentences.");
+
+  module.def("sphere_family_translational", &pn::translational_spheres, py::arg("curve_c"),
+             py::arg("curve_d"), py::call_guard<py::gil_scoped_release>(),
+             "The family whose spheres have the centres m_c(u) + m_d(v) and the radii r_c(u) + "
+             "r_d(v), of two SphereSplines of degree 1 or 2. Raises GeometryError where it has no "
+             "real envelope, and where a curve has a corner.");
+}
+
 PYBIND11_MODULE(pnkernel, module) {
   module.doc() = "Exact offset surfaces with rational unit normals. Millimetres, NumPy arrays.";
   define_error(module);
@@ -553,4 +607,5 @@ PYBIND11_MODULE(pnkernel, module) {
   define_outputs(module);
   define_surface(module);
   define_sphere_family(module);
+  define_translational_spheres(module);
 }

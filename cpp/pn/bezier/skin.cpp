@@ -14,8 +14,6 @@ namespace {
 
 using Parameters = std::array<double, 2>;
 
-/// Patches whose weights vary by more are avoided.
-constexpr double kEvenWeights = 0.05;
 /// Quarterings of the triangle before a skin is given up.
 constexpr int kMostQuarterings = 4;
 

@@ -45,6 +45,9 @@ std::vector<std::array<double, 2>> edge_points();
 /// the inner sheet, which is seen from the other side, it runs clockwise around the triangle.
 std::array<ParameterPath, 3> boundary(const SkinPatch& patch);
 
+/// Patches whose weights vary by more are avoided.
+inline constexpr double kEvenWeights = 0.05;
+
 /// The smallest of the Bernstein coefficients in parts of the largest.
 double least_ratio(const TensorPolynomial<RealBall>& weight);
 

@@ -21,6 +21,11 @@ enum class Sheet {
   kInner,  ///< n.(m_u x m_v) < 0
 };
 
+/// The other sheet; the same one with u and v exchanged.
+inline Sheet opposite(Sheet sheet) {
+  return sheet == Sheet::kOuter ? Sheet::kInner : Sheet::kOuter;
+}
+
 /// A family in doubles.
 class FamilyInDoubles {
  public:

@@ -272,4 +272,12 @@ PiecewiseRational<1> Law::over(const Rational& begin, const Rational& end) const
   return function;
 }
 
+SphereSpline SphereSpline::bezier(const std::vector<std::array<double, 4>>& spheres) {
+  return bspline(bezier_data(spheres, {}));
+}
+
+SphereSpline SphereSpline::bspline(const BSplineData<4>& data) {
+  return SphereSpline(piecewise(data));
+}
+
 }  // namespace pn

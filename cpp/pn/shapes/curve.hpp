@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Spines and radius laws: piecewise rational functions of a designer's doubles, over Q.
+// Spines, radius laws, curves of spheres: piecewise rational functions of a designer's doubles,
+// over Q.
 //
 // A curve is a chain of spans. Each span is a rational function of a local parameter on [0, 1],
 // exact: the B-spline's Bezier points are found by blossoming over Q (L. Ramshaw, Blossoms are
@@ -75,6 +76,20 @@ class Law {
   explicit Law(PiecewiseRational<1> function) : function_(std::move(function)) {}
   PiecewiseRational<1> function_;
   bool fits_any_domain_ = false;
+};
+
+/// A curve of spheres (x, y, z, r), in millimetres.
+class SphereSpline {
+ public:
+  /// k + 1 spheres, k >= 1, over [0, 1]. Throws GeometryError.
+  static SphereSpline bezier(const std::vector<std::array<double, 4>>& spheres);
+  static SphereSpline bspline(const BSplineData<4>& data);
+
+  const PiecewiseRational<4>& function() const { return function_; }
+
+ private:
+  explicit SphereSpline(PiecewiseRational<4> function) : function_(std::move(function)) {}
+  PiecewiseRational<4> function_;
 };
 
 }  // namespace pn
