@@ -69,6 +69,18 @@ class TensorPolynomial {
     return value;
   }
 
+  /// The coefficient of a power of one variable, a polynomial in the other.
+  TensorPolynomial slice(Variable variable, int power) const {
+    const bool is_u = variable == Variable::kU;
+    TensorPolynomial result(is_u ? 0 : degree_u_, is_u ? degree_v_ : 0);
+    for (int i = 0; i <= result.degree_u_; ++i) {
+      for (int j = 0; j <= result.degree_v_; ++j) {
+        result(i, j) = is_u ? (*this)(power, j) : (*this)(i, power);
+      }
+    }
+    return result;
+  }
+
   TensorPolynomial derivative(Variable variable) const {
     const int du = variable == Variable::kU ? 1 : 0, dv = 1 - du;
     TensorPolynomial result(std::max(degree_u_ - du, 0), std::max(degree_v_ - dv, 0));
@@ -168,18 +180,6 @@ class TensorPolynomial {
     result(0, 1) = a;
     return result;
   }
-  /// The coefficient of a power of one variable, a polynomial in the other.
-  TensorPolynomial slice(Variable variable, int power) const {
-    const bool is_u = variable == Variable::kU;
-    TensorPolynomial result(is_u ? 0 : degree_u_, is_u ? degree_v_ : 0);
-    for (int i = 0; i <= result.degree_u_; ++i) {
-      for (int j = 0; j <= result.degree_v_; ++j) {
-        result(i, j) = is_u ? (*this)(power, j) : (*this)(i, power);
-      }
-    }
-    return result;
-  }
-
   void raise_to(const TensorPolynomial& other) {
     if (degree_u_ >= other.degree_u_ && degree_v_ >= other.degree_v_) return;
     TensorPolynomial raised(std::max(degree_u_, other.degree_u_),

@@ -7,6 +7,7 @@
 
 #include "pn/algebra/precision.hpp"
 #include "pn/bezier/line_factor.hpp"
+#include "pn/bezier/projective_change.hpp"
 #include "pn/isotropic/along_curve.hpp"
 #include "pn/isotropic/along_translation.hpp"
 #include "pn/isotropic/seam.hpp"
@@ -168,34 +169,48 @@ SurfaceSections<RealBall> chart_sections(const Envelope& envelope, const SphereP
       isotropic_polynomials(lines::lined<RealBall>(sheared(gamma.spinor, shear), factor)));
 }
 
+/// The patch with this shear.
+std::optional<SkinPatch> patch_with_shear(const TranslationalFamily& family,
+                                          const SheetNormals& normal, const Circles& plain,
+                                          double shear) {
+  const Circles circles = plain.with_shear(shear);
+  const auto lines = lines_around(circles, normal);
+  if (!lines) return std::nullopt;
+  const auto sections = [envelope = circles.envelope(), d = family.d, shear, lines = *lines](
+                            long bits) { return chart_sections(envelope, d, shear, lines, bits); };
+  const SurfaceSections<RealBall> x = sections(kLeastPrecision);
+  const std::array<int, 2> degree = {
+      std::max(x.point[0].degree(Variable::kU), x.weight.degree(Variable::kU)),
+      std::max(x.point[0].degree(Variable::kV), x.weight.degree(Variable::kV))};
+  const TensorPolynomial<RealBall> weight =
+      x.weight + TensorPolynomial<RealBall>(degree[0], degree[1]);
+  if (!(least_ratio(weight) > 0)) return std::nullopt;
+  const ProjectiveChange change = ProjectiveChange::evening(weight);
+  return SkinPatch{
+      degree,
+      [sections, change, degree](long bits) {
+        return change.applied(sections(bits), degree, bits);
+      },
+      [circles, normal, change, inverse = Matrix2d(lines->inverse())](const Parameters& uv) {
+        const Vector2d at = inverse * parameter_of(circles.spinor(uv[0]), normal(uv[0], uv[1]));
+        return change.place({circles.parameter(uv[0]), at(1) / (at(0) + at(1))});
+      },
+      normal.sheet, least_ratio(change.applied(x, degree, kLeastPrecision).weight)};
+}
+
 }  // namespace
 
 std::optional<SkinPatch> circle_patch(const TranslationalFamily& family, Sheet sheet) {
   const auto is_zero = [](const Rational& x) { return x.is_zero(); };
   if (std::all_of(family.d.second.begin(), family.d.second.end(), is_zero)) return std::nullopt;
   const SheetNormals normal{FamilyInDoubles(quadratic_family(family)), sheet};
-  const Circles plain(family.c);
-  const double shear = plain.shear(normal(0, 0.5), normal(1, 0.5));
-  const Circles circles = plain.with_shear(shear);
-  const auto lines = lines_around(circles, normal);
-  if (!lines) return std::nullopt;
-  SkinPatch patch{
-      {0, 0},
-      [envelope = circles.envelope(), d = family.d, shear, lines = *lines](long bits) {
-        return chart_sections(envelope, d, shear, lines, bits);
-      },
-      [circles, normal, inverse = Matrix2d(lines->inverse())](const Parameters& uv) -> Parameters {
-        const Vector2d at = inverse * parameter_of(circles.spinor(uv[0]), normal(uv[0], uv[1]));
-        return {circles.parameter(uv[0]), at(1) / (at(0) + at(1))};
-      },
-      sheet,
-      0};
-  const SurfaceSections<RealBall> x = patch.sections(kLeastPrecision);
-  patch.degree = {std::max(x.point[0].degree(Variable::kU), x.weight.degree(Variable::kU)),
-                  std::max(x.point[0].degree(Variable::kV), x.weight.degree(Variable::kV))};
-  patch.weight_ratio =
-      least_ratio(x.weight + TensorPolynomial<RealBall>(patch.degree[0], patch.degree[1]));
-  return patch;
+  const Circles circles(family.c);
+  const double shear = circles.shear(normal(0, 0.5), normal(1, 0.5));
+  std::optional<SkinPatch> patch = patch_with_shear(family, normal, circles, 0);
+  if (shear == 0) return patch;
+  std::optional<SkinPatch> other = patch_with_shear(family, normal, circles, shear);
+  const bool is_better = other && (!patch || other->weight_ratio > patch->weight_ratio);
+  return is_better ? other : patch;
 }
 
 }  // namespace pn

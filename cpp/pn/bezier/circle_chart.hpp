@@ -7,7 +7,7 @@
 // little beyond the arcs of all u. Its sections are those of along_translation.hpp, of no higher
 // degree: (8, 6) for a parabola c. For F is constant, but where the columns of A have the degrees 1
 // and 0: there a multiple rho(t) of the second one, rho linear, is added to the first, so that the
-// arcs do not drift across the chart.
+// arcs do not drift across the chart. A projective change of parameters makes weights even.
 //
 // On such a patch the edges u = const are parameter lines, and circles in the Gauss image. So are
 // the edges v = const, as <w, d'(v)> = 0, and both are rational curves in space; but t is of the
@@ -22,8 +22,7 @@
 namespace pn {
 
 /// The patch of a sheet of c(u) + d(v) over the unit square, along the circles of c; nothing when d
-/// is a line, or when the arcs are too long for one patch. Delta > 0 on the square. Its weights
-/// need not be positive.
+/// is a line, or without positive weights. Delta > 0 on the square.
 std::optional<SkinPatch> circle_patch(const TranslationalFamily& family, Sheet sheet);
 
 }  // namespace pn
