@@ -104,3 +104,21 @@ TEST_CASE("A chart without positive weights is none: across a line of inflection
     check_patch(family.exchanged(), opposite(sheet), *other);
   }
 }
+
+TEST_CASE("Curves that are straight but for rounding are no harder", "[circle_chart]") {
+  const double tiny = 1e-14;
+  const Spheres rounded = {{{0, 0, 0, 1}, {5, 0, 1 + tiny, 1}, {10, 0, 2, 1}}},
+                across = {{{0, 0, 0, 1}, {0, 5, tiny, 1.25}, {0, 10, 0, 1.5 + tiny}}};
+  for (const Sheet sheet : {Sheet::kOuter, Sheet::kInner}) {
+    // Narrow arcs that do not drift have a chart; narrow ones on circles that turn have none, but
+    // those that turn on narrow circles do.
+    const TranslationalFamily plate = family_of(rounded, across), arch = family_of(kArch, across);
+    const auto flat = circle_patch(plate, sheet);
+    REQUIRE(flat);
+    check_patch(plate, sheet, *flat);
+    CHECK_FALSE(circle_patch(arch, sheet));
+    const auto other = circle_patch(arch.exchanged(), opposite(sheet));
+    REQUIRE(other);
+    check_patch(arch.exchanged(), opposite(sheet), *other);
+  }
+}

@@ -80,9 +80,9 @@ TEST_CASE("Neighbours meet along whole edges, in one parameter, with one normal"
     for (const double part : {0.0, 0.3, 0.7, 1.0}) {
       const auto a = evaluate(end, part), b = evaluate(start, 1 - part);
       CHECK(distance(at(faces[0], a), at(faces[1], b)) < 1e-11);
-      // At its very end the parameter is that of the next face.
-      const double before = std::min(a[0], std::nextafter(1.0, 0.0));
-      const auto points = surface.evaluate({before, b[0]}, {a[1], b[1]});
+      // The parameter at which one face ends and the next begins is that of the next.
+      const double before = std::min(a[0], std::nextafter(1.0, 0.0)), after = std::max(b[0], 1.0);
+      const auto points = surface.evaluate({before, after}, {a[1], b[1]});
       CHECK(distance(points[0].normal, points[1].normal) < 1e-11);
     }
   }

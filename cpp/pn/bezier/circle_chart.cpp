@@ -25,6 +25,9 @@ constexpr int kSamples = 32;
 /// The patch is wider than what was seen of the arcs by this part: their ends move between the
 /// samples.
 constexpr double kMargin = 1.0 / 50;
+/// An arc takes at least this part of the width of the patch. Where d is nearly a line and c is
+/// not, arcs are narrow and drift far, and poles would lie as far beyond them.
+constexpr double kLeastPart = 1.0 / 32;
 
 SphereCurve sphere_curve(const SphereParabola& c) {
   const Rational half = Rational(1L) / Rational(2L);
@@ -46,6 +49,63 @@ SpinorMatrix<C> sheared(SpinorMatrix<C> a, double shear) {
   return a;
 }
 
+/// F(t) = (1 0; rho(t) 1) basis columns. The basis is of short numbers and holds the middle of the
+/// sheet; the columns, seen from there, have all digits: arcs may be as narrow as doubles tell.
+struct ChartLines {
+  double shear;
+  Matrix2d basis, columns;
+
+  /// A F at this precision.
+  SpinorMatrix<ComplexBall> lined(const SpinorMatrix<ComplexBall>& a, long bits) const {
+    const auto balls = [bits](const Matrix2d& m) {
+      const auto entry = [&](int i, int j) { return RealBall(m(i, j)).at_precision(bits); };
+      return lines::Matrix<RealBall>{{{entry(0, 0), entry(0, 1)}, {entry(1, 0), entry(1, 1)}}};
+    };
+    using lines::operator*;
+    return lines::lined<RealBall>(sheared(a, shear),
+                                  lines::constant_line(balls(basis) * balls(columns)));
+  }
+};
+
+/// <w, x> for a constant x.
+FormInU<double> product(const IsotropicVector<RealBall>& w, const MinkowskiVector<Rational>& x) {
+  const auto constant = [](const Rational& a) {
+    return Form<RealBall>::constant(RealBall(a, kLeastPrecision));
+  };
+  const FormInU<RealBall> sum =
+      contracted({constant(x[0]), constant(x[1]), constant(x[2])}, constant(-x[3]), w);
+  FormInU<double> result;
+  for (const Form<RealBall>& c : sum.coefficient) result.coefficient.push_back(midpoint(c));
+  return result;
+}
+
+/// Where the normals of (u, v) lie on the lines of a chart: the zeros of P + v Q, quadratic in s.
+/// Rounded no earlier than here, they are right in parts of the width of the chart.
+class Contacts {
+ public:
+  Contacts(const SpinorMatrix<ComplexBall>& lined, const SphereParabola& d)
+      : Contacts(isotropic_vector<RealBall>(lined), d) {}
+
+  /// Both z = s / (1 - s); P + v Q falls with z at the first and rises at the second.
+  std::array<double, 2> zeros(double t, double v) const {
+    const std::array<double, 3> q = coefficients(t, v);
+    const double root = std::sqrt(std::max(0.0, q[1] * q[1] - q[0] * q[2]));
+    return q[1] > 0 ? std::array{(-q[1] - root) / q[2], q[0] / (-q[1] - root)}
+                    : std::array{q[0] / (-q[1] + root), (-q[1] + root) / q[2]};
+  }
+
+ private:
+  Contacts(const IsotropicVector<RealBall>& w, const SphereParabola& d)
+      : p_(product(w, d.first)), q_(product(w, d.second)) {}
+
+  std::array<double, 3> coefficients(double t, double v) const {
+    const auto at = [&](std::size_t j) { return p_.coefficient[j](t) + v * q_.coefficient[j](t); };
+    return {at(0), at(1), at(2)};
+  }
+
+  FormInU<double> p_, q_;
+};
+
 /// The circles of c, and where its parameters lie in theirs.
 class Circles {
  public:
@@ -53,75 +113,74 @@ class Circles {
       : Circles(sphere_curve(c), tangent_direction(sphere_curve(c)).circles) {}
 
   const Envelope& envelope() const { return envelope_; }
+  const SpinorMatrix<ComplexBall>& spinor() const { return spinor_; }
   double parameter(double u) const { return parameter_->local_of(RealBall(u)).midpoint(); }
-  /// The spinor A at u, nearly.
-  Eigen::Matrix2cd spinor(double u) const { return value_at(spinor_, parameter(u)); }
 
   /// The shear that gives a normal at u = 0 the parameters of another at u = 1; zero where A would
   /// need a higher degree for it.
   double shear(const Vector3d& first, const Vector3d& last) const {
     if (spinor_.degree != std::array{1, 0}) return 0;
-    const Vector2d a = parameter_of(spinor(0), first), b = parameter_of(spinor(1), last);
-    const double shear = b(1) / b(0) - a(1) / a(0);
-    return std::isfinite(shear) ? lines::short_double(shear) : 0;
-  }
-  Circles with_shear(double shear) const {
-    Circles result = *this;
-    result.spinor_ = sheared(spinor_, shear);
-    return result;
+    const auto a = midpoint(spinor_);
+    const Vector2d x = parameter_of(value_at(a, 0), first), y = parameter_of(value_at(a, 1), last);
+    const double shear = y(1) / y(0) - x(1) / x(0);
+    return std::isfinite(shear) ? shear : 0;
   }
 
  private:
   Circles(const SphereCurve& curve, const CircleFamily& circles)
       : envelope_(along_curve(curve, circles)),
-        spinor_(midpoint(envelope_.enclosure(kLeastPrecision).spinor)),
+        spinor_(envelope_.enclosure(kLeastPrecision).spinor),
         parameter_(at_sufficient_precision([&](long bits) {
           return std::shared_ptr<const LocalParameter>(local_family(circles, bits).parameter);
         })) {}
 
   Envelope envelope_;
-  SpinorMatrix<std::complex<double>> spinor_;
+  SpinorMatrix<ComplexBall> spinor_;
   std::shared_ptr<const LocalParameter> parameter_;
 };
 
-/// The normals of a sheet.
-struct SheetNormals {
-  FamilyInDoubles family;
-  Sheet sheet;
-
-  Vector3d operator()(double u, double v) const { return family.normal(sheet, u, v); }
+/// A chart, and which of both zeros is on its sheet.
+struct CircleChart {
+  ChartLines lines;
+  std::size_t zero;
 };
 
-/// Lines of short numbers, their columns beyond the ends of all arcs; s rises with v on the outer
-/// sheet and falls on the inner one, so that S_t x S_s points along the normal. Nothing for arcs
-/// too long.
-std::optional<Matrix2d> lines_around(const Circles& circles, const SheetNormals& normal) {
-  const Matrix2d even = even_factor(circles.spinor(0.5), normal(0.5, 0.5));
-  // The angle of a spinor from the middle of the sheet.
-  const auto angle = [&](double u, double v) {
-    const Vector2d at = even.inverse() * parameter_of(circles.spinor(u), normal(u, v));
-    return std::atan(at(1) / at(0));
-  };
-  double low = 0, high = 0;
-  int rising = 0;
+/// The chart with a basis around the middle normal of a sheet. S_t x S_s points along the normal: s
+/// rises with v on the outer sheet and falls on the inner one. Nothing for arcs too long or too
+/// narrow.
+std::optional<CircleChart> chart_around(const Circles& circles, const SphereParabola& d,
+                                        Sheet sheet, const Vector3d& middle, double shear) {
+  const auto spinor = midpoint(sheared(circles.spinor(), shear));
+  ChartLines lines{
+      shear, even_factor(value_at(spinor, circles.parameter(0.5)), middle).unaryExpr([](double x) {
+        return lines::short_double(x);
+      }),
+      Matrix2d::Identity()};
+  const Contacts contacts(lines.lined(circles.spinor(), kLeastPrecision), d);
+  const auto [falling, rising] = contacts.zeros(circles.parameter(0.5), 0.5);
+  const std::size_t zero = std::abs(falling) < std::abs(rising) ? 0 : 1;
+  // Angles of spinors from the middle of the sheet.
+  double low = HUGE_VAL, high = -HUGE_VAL, narrowest = HUGE_VAL;
+  int upwards = 0;
   for (int i = 0; i <= kSamples; ++i) {
-    const double u = static_cast<double>(i) / kSamples, start = angle(u, 0), end = angle(u, 1);
+    const double t = circles.parameter(static_cast<double>(i) / kSamples);
+    const double start = std::atan(contacts.zeros(t, 0)[zero]),
+                 end = std::atan(contacts.zeros(t, 1)[zero]);
     low = std::min({low, start, end});
     high = std::max({high, start, end});
-    rising += start < end ? 1 : -1;
+    narrowest = std::min(narrowest, std::abs(end - start));
+    upwards += start < end ? 1 : -1;
   }
   const double margin = kMargin * (high - low);
   // A quarter turn of spinors is half a turn of normals, whose weights are not positive. Where
   // angles wrap around, arcs seem to run in both directions.
-  if (std::abs(rising) <= kSamples || !(high - low + 2 * margin < M_PI / 2)) return std::nullopt;
-  const auto column = [&](double at) {
-    return Vector2d(even * Vector2d(std::cos(at), std::sin(at)));
-  };
-  const bool is_upwards = (rising > 0) == (normal.sheet == Sheet::kOuter);
-  Matrix2d lines;
-  lines << column(is_upwards ? low - margin : high + margin),
-      column(is_upwards ? high + margin : low - margin);
-  return lines.unaryExpr([](double x) { return lines::short_double(x); });
+  if (std::abs(upwards) <= kSamples || !(high - low + 2 * margin < M_PI / 2)) return std::nullopt;
+  if (!(narrowest > kLeastPart * (high - low))) return std::nullopt;
+  const bool is_upwards = (upwards > 0) == (sheet == Sheet::kOuter);
+  const double first = is_upwards ? low - margin : high + margin,
+               last = is_upwards ? high + margin : low - margin;
+  lines.columns << std::cos(first), std::cos(last), std::sin(first), std::sin(last);
+  return CircleChart{lines, is_upwards ? zero : 1 - zero};
 }
 
 /// A form in the first parameter.
@@ -155,7 +214,7 @@ MinkowskiVector<RealBall> in_balls(const MinkowskiVector<Rational>& x, long bits
 }
 
 SurfaceSections<RealBall> chart_sections(const Envelope& envelope, const SphereParabola& d,
-                                         double shear, const Matrix2d& lines, long bits) {
+                                         const ChartLines& lines, long bits) {
   const IsotropicHypersurface<RealBall> gamma = envelope.enclosure(bits);
   const auto& c = std::get<SphereCurveForms<RealBall>>(gamma.carrier);
   const TranslatedCurve<RealBall> translated{
@@ -163,21 +222,15 @@ SurfaceSections<RealBall> chart_sections(const Envelope& envelope, const SphereP
       along(c.denominator)};
   const TranslatingParabola<RealBall> translating{in_balls(d.second, bits), in_balls(d.first, bits),
                                                   in_balls(d.start, bits)};
-  const auto factor = lines::constant_line(lines::short_doubles<RealBall>(lines));
-  return sections(
-      translated, translating,
-      isotropic_polynomials(lines::lined<RealBall>(sheared(gamma.spinor, shear), factor)));
+  return sections(translated, translating, isotropic_polynomials(lines.lined(gamma.spinor, bits)));
 }
 
-/// The patch with this shear.
-std::optional<SkinPatch> patch_with_shear(const TranslationalFamily& family,
-                                          const SheetNormals& normal, const Circles& plain,
-                                          double shear) {
-  const Circles circles = plain.with_shear(shear);
-  const auto lines = lines_around(circles, normal);
-  if (!lines) return std::nullopt;
-  const auto sections = [envelope = circles.envelope(), d = family.d, shear, lines = *lines](
-                            long bits) { return chart_sections(envelope, d, shear, lines, bits); };
+/// The patch of a chart; nothing without positive weights.
+std::optional<SkinPatch> patch_of(const Circles& circles, const SphereParabola& d, Sheet sheet,
+                                  const CircleChart& chart) {
+  const auto sections = [envelope = circles.envelope(), d, lines = chart.lines](long bits) {
+    return chart_sections(envelope, d, lines, bits);
+  };
   const SurfaceSections<RealBall> x = sections(kLeastPrecision);
   const std::array<int, 2> degree = {
       std::max(x.point[0].degree(Variable::kU), x.weight.degree(Variable::kU)),
@@ -186,31 +239,35 @@ std::optional<SkinPatch> patch_with_shear(const TranslationalFamily& family,
       x.weight + TensorPolynomial<RealBall>(degree[0], degree[1]);
   if (!(least_ratio(weight) > 0)) return std::nullopt;
   const ProjectiveChange change = ProjectiveChange::evening(weight);
-  return SkinPatch{
-      degree,
-      [sections, change, degree](long bits) {
-        return change.applied(sections(bits), degree, bits);
-      },
-      [circles, normal, change, inverse = Matrix2d(lines->inverse())](const Parameters& uv) {
-        const Vector2d at = inverse * parameter_of(circles.spinor(uv[0]), normal(uv[0], uv[1]));
-        return change.place({circles.parameter(uv[0]), at(1) / (at(0) + at(1))});
-      },
-      normal.sheet, least_ratio(change.applied(x, degree, kLeastPrecision).weight)};
+  const Contacts contacts(chart.lines.lined(circles.spinor(), kLeastPrecision), d);
+  return SkinPatch{degree,
+                   [sections, change, degree](long bits) {
+                     return change.applied(sections(bits), degree, bits);
+                   },
+                   [circles, contacts, change, zero = chart.zero](const Parameters& uv) {
+                     const double t = circles.parameter(uv[0]), z = contacts.zeros(t, uv[1])[zero];
+                     return change.place({t, z / (1 + z)});
+                   },
+                   sheet, least_ratio(change.applied(x, degree, kLeastPrecision).weight)};
 }
 
 }  // namespace
 
 std::optional<SkinPatch> circle_patch(const TranslationalFamily& family, Sheet sheet) {
+  const auto& [c, d] = family;
   const auto is_zero = [](const Rational& x) { return x.is_zero(); };
-  if (std::all_of(family.d.second.begin(), family.d.second.end(), is_zero)) return std::nullopt;
-  const SheetNormals normal{FamilyInDoubles(quadratic_family(family)), sheet};
-  const Circles circles(family.c);
-  const double shear = circles.shear(normal(0, 0.5), normal(1, 0.5));
-  std::optional<SkinPatch> patch = patch_with_shear(family, normal, circles, 0);
-  if (shear == 0) return patch;
-  std::optional<SkinPatch> other = patch_with_shear(family, normal, circles, shear);
-  const bool is_better = other && (!patch || other->weight_ratio > patch->weight_ratio);
-  return is_better ? other : patch;
+  if (std::all_of(d.second.begin(), d.second.end(), is_zero)) return std::nullopt;
+  const FamilyInDoubles doubles(quadratic_family(family));
+  const auto normal = [&](double u) { return doubles.normal(sheet, u, 0.5); };
+  const Circles circles(c);
+  std::optional<SkinPatch> best;
+  for (const double shear : {0.0, circles.shear(normal(0), normal(1))}) {
+    const auto chart = chart_around(circles, d, sheet, normal(0.5), shear);
+    if (!chart) continue;
+    std::optional<SkinPatch> patch = patch_of(circles, d, sheet, *chart);
+    if (patch && (!best || patch->weight_ratio > best->weight_ratio)) best = std::move(patch);
+  }
+  return best;
 }
 
 }  // namespace pn
