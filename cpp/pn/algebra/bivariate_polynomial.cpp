@@ -120,4 +120,20 @@ std::optional<BivariatePolynomial> quotient(const BivariatePolynomial& a,
   return result;
 }
 
+Rational leading_coefficient(const BivariatePolynomial& p) {
+  Rational result;
+  if (!p.is_zero()) {
+    fmpq_mpoly_get_term_coeff_fmpq(result.flint(), p.flint(), 0, BivariatePolynomial::ring());
+  }
+  return result;
+}
+
+std::optional<BivariatePolynomial> square_root(const BivariatePolynomial& p) {
+  BivariatePolynomial result;
+  if (fmpq_mpoly_sqrt(result.flint(), p.flint(), BivariatePolynomial::ring()) == 0) {
+    return std::nullopt;
+  }
+  return result;
+}
+
 }  // namespace pn

@@ -84,4 +84,10 @@ BivariatePolynomial gcd(const BivariatePolynomial& a, const BivariatePolynomial&
 std::optional<BivariatePolynomial> quotient(const BivariatePolynomial& a,
                                             const BivariatePolynomial& b);
 
+/// The coefficient of the first term in the lexicographic order; zero for the zero polynomial.
+Rational leading_coefficient(const BivariatePolynomial& p);
+
+/// A polynomial whose square is p, or nothing when p is no square over Q.
+std::optional<BivariatePolynomial> square_root(const BivariatePolynomial& p);
+
 }  // namespace pn

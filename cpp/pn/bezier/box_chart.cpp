@@ -67,6 +67,7 @@ std::optional<SkinPatch> box_patch(const QuadraticFamily& family, Sheet sheet) {
   const IsotropicPolynomials<Rational> w = isotropic_polynomials(rotation, frame);
   const IntegerPowerForm f = integer_power_form(family);
   const Contact<Rational> contact = contact_of(f.form, w);
+  if (in_ring(contact.e).is_zero()) return std::nullopt;
   const auto exact = std::make_shared<const SurfaceSections<Rational>>(
       without_common_factor(scaled_sections(f, w, contact), contact.e));
   const auto place_of = [doubles, sheet, rotation, frame,

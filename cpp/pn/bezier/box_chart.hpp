@@ -14,7 +14,8 @@
 
 namespace pn {
 
-/// The patch of a sheet; nothing when its normals lie on a curve. Its weights need not be positive.
+/// The patch of a sheet; nothing when its normals lie on a curve (e = 0 for all w, or what was seen
+/// of them has no width). Its weights need not be positive.
 std::optional<SkinPatch> box_patch(const QuadraticFamily& family, Sheet sheet);
 
 }  // namespace pn

@@ -7,7 +7,10 @@
 
 #include "pn/bezier/box_chart.hpp"
 #include "pn/bezier/polar_chart.hpp"
+#include "pn/bezier/separated_patch.hpp"
+#include "pn/bezier/translational_skin.hpp"
 #include "pn/geometry_error.hpp"
+#include "pn/isotropic/translational_form.hpp"
 
 namespace pn {
 namespace {
@@ -17,22 +20,42 @@ using Parameters = std::array<double, 2>;
 /// Quarterings of the triangle before a skin is given up.
 constexpr int kMostQuarterings = 4;
 
-/// The patch of a sheet with the best weights: in the box chart where they are even enough, else in
-/// any chart. Nothing where no weights are positive.
-std::optional<SkinPatch> best_patch(const QuadraticFamily& family, Sheet sheet) {
+/// The patch of a sheet in the chart of circles of either curve, a part of that over the square.
+std::optional<SkinPatch> patch_by_circles(const TranslationalForm& form, Sheet sheet) {
+  std::optional<SkinPatch> patch = best_patch(form.family, sheet);
+  if (patch) {
+    patch->place_of = [form, place_of = patch->place_of](const Parameters& uv) {
+      return place_of(form.at(uv));
+    };
+  }
+  return patch;
+}
+
+/// The better one of two patches.
+std::optional<SkinPatch> better(std::optional<SkinPatch> a, std::optional<SkinPatch> b) {
+  return a && (!b || a->weight_ratio >= b->weight_ratio) ? a : b;
+}
+
+/// The patch of a sheet, in the first chart of these in which the weights are even enough, else in
+/// the best one; nothing where no weights are positive.
+std::optional<SkinPatch> patch_of(const QuadraticFamily& family, Sheet sheet) {
+  if (auto separated = separated_patch(family, sheet)) return separated;
   std::optional<SkinPatch> best = box_patch(family, sheet);
   if (best && best->weight_ratio > kEvenWeights) return best;
-  for (SkinPatch& patch : polar_patches(family, sheet)) {
-    if (!best || !(best->weight_ratio >= patch.weight_ratio)) best = std::move(patch);
+  if (const auto form = translational_form(family)) {
+    best = better(std::move(best), patch_by_circles(*form, sheet));
+  } else {
+    for (SkinPatch& patch : polar_patches(family, sheet)) {
+      best = better(std::move(best), std::move(patch));
+    }
   }
-  if (best && !(best->weight_ratio > 0)) best.reset();
   return best;
 }
 
 void append_patches(std::vector<PlacedPatch>& patches, const FamilyPart& part, Sheet sheet,
                     int quarterings) {
-  std::optional<SkinPatch> patch = best_patch(part.family, sheet);
-  if (patch && (patch->weight_ratio > kEvenWeights || quarterings == 0)) {
+  std::optional<SkinPatch> patch = patch_of(part.family, sheet);
+  if (patch && patch->weight_ratio > (quarterings == 0 ? 0 : kEvenWeights)) {
     const auto& [u, v, w] = part.corners;
     patches.push_back({std::move(*patch), {w, u, v}});
     return;

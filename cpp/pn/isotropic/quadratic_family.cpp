@@ -144,6 +144,11 @@ std::array<MinkowskiVector<Form>, 2> QuadraticFamily::derivatives() const {
           form(difference(b110, b101), difference(b020, b011), difference(b011, b002))};
 }
 
+QuadraticFamily QuadraticFamily::exchanged() const {
+  const auto& [b200, b110, b020, b101, b011, b002] = control_;
+  return QuadraticFamily({b020, b110, b200, b011, b101, b002});
+}
+
 std::array<QuadraticFamily, 4> QuadraticFamily::quartered() const {
   const auto& [b200, b110, b020, b101, b011, b002] = control_;
   // One blossom of the middles of two edges each; the value in the middle of an edge is the middle

@@ -62,6 +62,9 @@ class QuadraticFamily {
   /// f_u and f_v.
   std::array<MinkowskiVector<TernaryForm<Rational>>, 2> derivatives() const;
 
+  /// The same family with u and v exchanged: its outer sheet is the inner one of this family.
+  QuadraticFamily exchanged() const;
+
   /// The family over the four triangles between the corners and the middles of the edges; the last
   /// one is the middle triangle.
   std::array<QuadraticFamily, 4> quartered() const;
