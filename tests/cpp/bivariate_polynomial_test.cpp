@@ -84,3 +84,15 @@ TEST_CASE("Common factors are found and divided out", "[bivariate_polynomial]") 
   CHECK(quotient(BivariatePolynomial(), kQ) == BivariatePolynomial());
   CHECK_THROWS_AS(quotient(kP, BivariatePolynomial()), std::domain_error);
 }
+
+TEST_CASE("Square roots are found where there are some", "[bivariate_polynomial]") {
+  const auto root = square_root(kP * kP);
+  REQUIRE(root);
+  CHECK((*root == kP || *root == -kP));
+  CHECK_FALSE(square_root(kP * kQ));
+  CHECK_FALSE(square_root(BivariatePolynomial(2L) * kP * kP));
+  CHECK_FALSE(square_root(-(kP * kP)));
+  CHECK(square_root(BivariatePolynomial())->is_zero());
+  CHECK(leading_coefficient(BivariatePolynomial(3L) * kU + kV * kV) == Rational(3L));
+  CHECK(leading_coefficient(BivariatePolynomial()).is_zero());
+}

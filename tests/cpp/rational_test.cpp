@@ -52,3 +52,12 @@ TEST_CASE("The field axioms hold exactly", "[rational]") {
   CHECK(a > c);
   CHECK_FALSE(a < a);
 }
+
+TEST_CASE("Rational square roots are exact or none", "[rational]") {
+  const Rational x = Rational(9L) / Rational(4L);
+  CHECK(square_root(x) == Rational(3L) / Rational(2L));
+  CHECK(square_root(Rational(0L)) == Rational(0L));
+  CHECK_FALSE(square_root(Rational(2L)));
+  CHECK_FALSE(square_root(Rational(1L) / Rational(2L)));
+  CHECK_FALSE(square_root(-x));
+}
