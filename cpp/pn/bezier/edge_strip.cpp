@@ -10,7 +10,7 @@
 #include "pn/bezier/ruling_band.hpp"
 #include "pn/bezier/skin_patch.hpp"
 #include "pn/geometry_error.hpp"
-#include "pn/isotropic/along_curve.hpp"
+#include "pn/isotropic/contact_circles.hpp"
 #include "pn/isotropic/seam.hpp"
 
 namespace pn {
@@ -67,23 +67,40 @@ struct StripLines {
   std::array<Vector2d, 3> poles;
 };
 
-/// Places in the parameters (t, s) of a strip.
+/// The circles of an edge by its own parameter, in doubles.
+class EdgeCircles {
+ public:
+  explicit EdgeCircles(const SphereCurve& curve)
+      : circles_(curve), spinor_(midpoint(circles_.spinor())) {}
+
+  const Envelope& envelope() const { return circles_.envelope(); }
+  double parameter(double at) const { return circles_.parameter(at); }
+  /// A there.
+  auto spinor(double at) const { return value_at(spinor_, parameter(at)); }
+
+ private:
+  ContactCircles circles_;
+  SpinorMatrix<std::complex<double>> spinor_;
+};
+
+/// Places on the patch of a strip.
 class StripPlaces {
  public:
-  StripPlaces(SpinorMatrix<std::complex<double>> spinor, StripLines choice)
-      : spinor_(std::move(spinor)), choice_(std::move(choice)) {}
+  StripPlaces(EdgeCircles circles, StripLines choice)
+      : circles_(std::move(circles)), choice_(std::move(choice)) {}
 
-  Parameters operator()(double t, const Vector3d& normal) const {
-    const Vector2d u = choice_.lines.inverse() * parameter_of(value_at(spinor_, t), normal);
+  /// Of a normal on the circle at a parameter of the edge.
+  Parameters operator()(double at, const Vector3d& normal) const {
+    const Vector2d u = choice_.lines.inverse() * parameter_of(circles_.spinor(at), normal);
     FormInU<double> parallel;
     for (const Vector2d& p : choice_.poles) {
       parallel.coefficient.push_back(Form<double>::constant(p(0) * u(1) - p(1) * u(0)));
     }
-    return {t, band_parameter(parallel, 0)};
+    return {circles_.parameter(at), band_parameter(parallel, 0)};
   }
 
  private:
-  SpinorMatrix<std::complex<double>> spinor_;
+  EdgeCircles circles_;
   StripLines choice_;
 };
 
@@ -108,18 +125,18 @@ NormalArc outer_arc(const FamilyInDoubles& family, std::size_t edge, double at) 
 }
 
 StripLines chosen_lines(const FamilyInDoubles& family, std::size_t edge,
-                        const SpinorMatrix<std::complex<double>>& spinor) {
+                        const EdgeCircles& circles) {
   const Vector3d middle = outer_arc(family, edge, 0.5)(0.5);
-  const Matrix2d even = even_factor(value_at(spinor, 0.5), middle);
+  const Matrix2d even = even_factor(circles.spinor(0.5), middle);
   // Angles of spinors from the middle line, of both seams.
   double low = 0, high = 0;
   int side = 0;
   for (int i = 0; i <= kSamples; ++i) {
-    const double t = static_cast<double>(i) / kSamples;
-    const Parameters uv = on_edge(edge, t);
+    const double at = static_cast<double>(i) / kSamples;
+    const Parameters uv = on_edge(edge, at);
     for (const Sheet sheet : {Sheet::kInner, Sheet::kOuter}) {
       const Vector2d u =
-          even.inverse() * parameter_of(value_at(spinor, t), family.normal(sheet, uv[0], uv[1]));
+          even.inverse() * parameter_of(circles.spinor(at), family.normal(sheet, uv[0], uv[1]));
       const double angle = std::atan(u(1) / u(0));
       low = std::min(low, angle);
       high = std::max(high, angle);
@@ -209,17 +226,15 @@ NormalArc end_arc(const QuadraticFamily& family, std::size_t edge, int end) {
 ExactPatch edge_strip(const QuadraticFamily& family, std::size_t edge,
                       const std::vector<double>& inner_ends,
                       const std::vector<double>& outer_ends) {
-  const SphereCurve curve = edge_curve(family, edge);
-  const Envelope envelope = along_curve(curve, tangent_direction(curve).circles);
-  const auto spinor = midpoint(envelope.enclosure(kLeastPrecision).spinor);
+  const EdgeCircles circles(edge_curve(family, edge));
   const FamilyInDoubles doubles(family);
-  const StripLines choice = chosen_lines(doubles, edge, spinor);
-  const auto place = std::make_shared<const StripPlaces>(spinor, choice);
+  const StripLines choice = chosen_lines(doubles, edge, circles);
+  const auto place = std::make_shared<const StripPlaces>(circles, choice);
   const auto seam = [&](Sheet sheet, bool is_forward) -> ParameterPath {
-    return [=](double at) {
-      const double t = is_forward ? at : 1 - at;
-      const Parameters uv = on_edge(edge, t);
-      return (*place)(t, doubles.normal(sheet, uv[0], uv[1]));
+    return [=](double along) {
+      const double at = is_forward ? along : 1 - along;
+      const Parameters uv = on_edge(edge, at);
+      return (*place)(at, doubles.normal(sheet, uv[0], uv[1]));
     };
   };
   const auto end_circle = [&](int end) -> ParameterPath {
@@ -227,8 +242,11 @@ ExactPatch edge_strip(const QuadraticFamily& family, std::size_t edge,
       return (*place)(end, arc(end == 1 ? at : 1 - at));
     };
   };
-  ExactPatch strip{
-      {0, 0}, [envelope, choice](long bits) { return strip_sections(envelope, choice, bits); }, {}};
+  ExactPatch strip{{0, 0},
+                   [envelope = circles.envelope(), choice](long bits) {
+                     return strip_sections(envelope, choice, bits);
+                   },
+                   {}};
   const TensorPolynomial<RealBall> weight = strip.sections(kLeastPrecision).weight;
   strip.degree = {weight.degree(Variable::kU), weight.degree(Variable::kV)};
   if (!(least_ratio(weight) > 0)) {
