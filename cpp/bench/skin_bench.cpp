@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Six spheres, from the designer's numbers to certified poles.
+// Six spheres, or two curves of spheres, from the designer's numbers to certified poles.
 #include <benchmark/benchmark.h>
 
 #include "pn/algebra/parallel.hpp"
 #include "pn/bezier/pn_surface.hpp"
 #include "pn/bezier/rounded_solid.hpp"
 #include "pn/bezier/skin.hpp"
+#include "pn/bezier/translational_skin.hpp"
 #include "pn/shapes/sphere_family.hpp"
+#include "pn/shapes/translational_spheres.hpp"
 
 namespace pn::bench {
 namespace {
@@ -19,14 +21,41 @@ constexpr std::array<std::array<double, 4>, 6> kPlate = {{{100, 0, 0, 3},
                                                           {10, 45, 5.5, 3.75},
                                                           {0, 0, 0, 3}}};
 
-std::array<PNSurface, 2> skins() {
-  const SphereFamily family = sphere_family(kPlate);
+template <class Skin, class Family>
+std::array<PNSurface, 2> skins_of(const Family& family, const std::vector<std::string>& notes) {
   std::array<std::shared_ptr<const Skin>, 2> sheets;
   for_each_index(2, [&](std::size_t i) {
-    sheets[i] = std::make_shared<const Skin>(family.family, i == 0 ? Sheet::kOuter : Sheet::kInner,
-                                             family.notes);
+    sheets[i] = std::make_shared<const Skin>(family, i == 0 ? Sheet::kOuter : Sheet::kInner, notes);
   });
   return {PNSurface(sheets[0]), PNSurface(sheets[1])};
+}
+
+std::array<PNSurface, 2> skins() {
+  const SphereFamily family = sphere_family(kPlate);
+  return skins_of<Skin>(family.family, family.notes);
+}
+
+/// A plate of 100 by 80 mm, of 4 times 3 spans.
+std::array<PNSurface, 2> translational_skins() {
+  const SphereSpline
+      along = SphereSpline::bspline({2,
+                                     {0, 1, 2, 3, 4},
+                                     {3, 1, 1, 1, 3},
+                                     {{0, 0, 0, 2},
+                                      {12.5, 0, 3, 2.5},
+                                      {37.5, 0, 5, 2.25},
+                                      {62.5, 0, 5.5, 2},
+                                      {87.5, 0, 3, 1.75},
+                                      {100, 0, 0, 1.5}},
+                                     {}}),
+      across = SphereSpline::bspline(
+          {2,
+           {0, 1, 2, 3},
+           {3, 1, 1, 3},
+           {{0, 0, 0, 1}, {0, 13, 4, 1.25}, {0, 40, 6, 1.5}, {0, 67, 4, 1.25}, {0, 80, 0, 1}},
+           {}});
+  const TranslationalSpheres spheres = translational_spheres(along, across);
+  return skins_of<TranslationalSkin>(spheres.spline, spheres.notes);
 }
 
 /// Both skins with poles, edges and certificate.
@@ -36,6 +65,16 @@ void both_skins(benchmark::State& state) {
   }
 }
 BENCHMARK(both_skins)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// Both skins of two splines of spheres, of twelve faces each.
+void both_translational_skins(benchmark::State& state) {
+  for (auto _ : state) {
+    for (const PNSurface& skin : translational_skins()) {
+      benchmark::DoNotOptimize(skin.faces(Lines::kEven));
+    }
+  }
+}
+BENCHMARK(both_translational_skins)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 /// Both skins at another distance.
 void another_offset(benchmark::State& state) {

@@ -15,6 +15,28 @@ from splines import exactly
 EXPONENTS = [(2, 0, 0), (1, 1, 0), (0, 2, 0), (1, 0, 1), (0, 1, 1), (0, 0, 2)]
 
 
+def unit_normal(by_u, by_v, sign):
+    """The unit vector n with n.m_u + r_u = n.m_v + r_v = 0 and the sign of n.(m_u x m_v)."""
+    m_u, m_v, r_u, r_v = by_u[:3], by_v[:3], by_u[3], by_v[3]
+    across = np.cross(m_u, m_v)
+    square = across @ across
+    # n = a m_u + b m_v + c across: a and b from the two equations, c from |n| = 1.
+    e, f, g = m_u @ m_u, m_u @ m_v, m_v @ m_v
+    a, b = (-g * r_u + f * r_v) / square, (-e * r_v + f * r_u) / square
+    tangential = a * m_u + b * m_v
+    c = sign * mpmath.sqrt((1 - tangential @ tangential) / square)
+    return tangential + c * across
+
+
+def orientations(surface, places, step=1e-5):
+    """(S_u x S_v).n at places (n, 2) of a surface, up to a positive factor, by differences."""
+    places = np.asarray(places)
+    here, normals = surface.evaluate(*places.T)
+    by_u, by_v = (surface.evaluate(*(places + aside).T)[0] - here
+                  for aside in ([step, 0], [0, step]))
+    return (np.cross(by_u, by_v) * normals).sum(axis=1)
+
+
 @dataclass(frozen=True)
 class Family:
     """A quadratic triangular Bezier surface of (m, r)."""
@@ -37,15 +59,7 @@ class Family:
     def normal(self, u, v, sign):
         """The unit normal n with n.m_u + r_u = n.m_v + r_v = 0 and the sign of n.(m_u x m_v)."""
         _, by_u, by_v = self.sphere(u, v)
-        m_u, m_v, r_u, r_v = by_u[:3], by_v[:3], by_u[3], by_v[3]
-        across = np.cross(m_u, m_v)
-        square = across @ across
-        # n = a m_u + b m_v + c across: a and b from the two equations, c from |n| = 1.
-        e, f, g = m_u @ m_u, m_u @ m_v, m_v @ m_v
-        a, b = (-g * r_u + f * r_v) / square, (-e * r_v + f * r_u) / square
-        tangential = a * m_u + b * m_v
-        c = sign * mpmath.sqrt((1 - tangential @ tangential) / square)
-        return tangential + c * across
+        return unit_normal(by_u, by_v, sign)
 
     def point(self, u, v, sign, distance=0):
         sphere, _, _ = self.sphere(u, v)

@@ -9,7 +9,7 @@ import pnocct
 import pytest
 from sphere_families import random_spheres
 from test_errors import refused
-from trims import points
+from trims import points_and_normals
 
 STEP = 1e-5  # central differences: 1e-10 of what is integrated
 
@@ -161,9 +161,7 @@ def test_neighbours_share_points_and_normals(seed):
         for curve in face.trims[0]:
             if curve.degree == 1:
                 continue  # the tip of a lune
-            # Within the face in doubles: at its end the next one's parameters begin.
-            place = np.clip(points(curve, 9), [i, 0], [np.nextafter(i + 1, i), 1])
-            edges.append(np.hstack(surface.evaluate(*place.T)))
+            edges.append(points_and_normals(surface, i, curve))
     assert len(edges) == 24
     for edge in edges:
         others = [other for other in edges if other is not edge]

@@ -39,6 +39,25 @@ def is_on_face(face, place):
     return not face.trims or sum(winding_number(polygon(loop), place) for loop in face.trims) == 1
 
 
+def places_on(face, count, random):
+    """So many random places on a trimmed face."""
+    corners = polygon(face.trims[0])
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    found = []
+    while len(found) < count:
+        place = random.uniform(low, high)
+        if is_on_face(face, place):
+            found.append(place)
+    return found
+
+
+def points_and_normals(surface, number, curve, count=9):
+    """Those of a surface along a curve of its face of this number, an array (count, 6)."""
+    # Within the face in doubles: at its end the next one's parameters begin.
+    places = np.clip(points(curve, count), [number, 0], [np.nextafter(number + 1, number), 1])
+    return np.hstack(surface.evaluate(*places.T))
+
+
 def clearance(face, place):
     """How far a place is from the loops, in parameters."""
     return min((np.linalg.norm(polygon(loop) - place, axis=1).min() for loop in face.trims),

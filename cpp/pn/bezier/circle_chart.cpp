@@ -145,40 +145,56 @@ struct CircleChart {
   std::size_t zero;
 };
 
+/// What the arcs of all circles take of the lines, as angles of spinors from the middle of the
+/// sheet.
+struct Sweep {
+  double low = HUGE_VAL, high = -HUGE_VAL, narrowest = HUGE_VAL;
+  int upwards = 0;  ///< arcs along which the angle rises with v, less those along which it falls
+
+  Sweep(const Circles& circles, const Contacts& contacts, std::size_t zero) {
+    for (int i = 0; i <= kSamples; ++i) {
+      const double t = circles.parameter(static_cast<double>(i) / kSamples);
+      const double start = std::atan(contacts.zeros(t, 0)[zero]),
+                   end = std::atan(contacts.zeros(t, 1)[zero]);
+      low = std::min({low, start, end});
+      high = std::max({high, start, end});
+      narrowest = std::min(narrowest, std::abs(end - start));
+      upwards += start < end ? 1 : -1;
+    }
+  }
+
+  double margin() const { return kMargin * (high - low); }
+
+  /// A quarter turn of spinors is half a turn of normals, whose weights are not positive. Where
+  /// angles wrap around, arcs seem to run in both directions.
+  bool fits() const {
+    return std::abs(upwards) > kSamples && high - low + 2 * margin() < M_PI / 2 &&
+           narrowest > kLeastPart * (high - low);
+  }
+};
+
+/// Columns of short numbers around a normal, of the circle at the middle of c.
+Matrix2d middle_basis(const Circles& circles, const Vector3d& middle, double shear) {
+  const auto spinor = midpoint(sheared(circles.spinor(), shear));
+  return even_factor(value_at(spinor, circles.parameter(0.5)), middle).unaryExpr([](double x) {
+    return lines::short_double(x);
+  });
+}
+
 /// The chart with a basis around the middle normal of a sheet. S_t x S_s points along the normal: s
 /// rises with v on the outer sheet and falls on the inner one. Nothing for arcs too long or too
 /// narrow.
 std::optional<CircleChart> chart_around(const Circles& circles, const SphereParabola& d,
                                         Sheet sheet, const Vector3d& middle, double shear) {
-  const auto spinor = midpoint(sheared(circles.spinor(), shear));
-  ChartLines lines{
-      shear, even_factor(value_at(spinor, circles.parameter(0.5)), middle).unaryExpr([](double x) {
-        return lines::short_double(x);
-      }),
-      Matrix2d::Identity()};
+  ChartLines lines{shear, middle_basis(circles, middle, shear), Matrix2d::Identity()};
   const Contacts contacts(lines.lined(circles.spinor(), kLeastPrecision), d);
   const auto [falling, rising] = contacts.zeros(circles.parameter(0.5), 0.5);
   const std::size_t zero = std::abs(falling) < std::abs(rising) ? 0 : 1;
-  // Angles of spinors from the middle of the sheet.
-  double low = HUGE_VAL, high = -HUGE_VAL, narrowest = HUGE_VAL;
-  int upwards = 0;
-  for (int i = 0; i <= kSamples; ++i) {
-    const double t = circles.parameter(static_cast<double>(i) / kSamples);
-    const double start = std::atan(contacts.zeros(t, 0)[zero]),
-                 end = std::atan(contacts.zeros(t, 1)[zero]);
-    low = std::min({low, start, end});
-    high = std::max({high, start, end});
-    narrowest = std::min(narrowest, std::abs(end - start));
-    upwards += start < end ? 1 : -1;
-  }
-  const double margin = kMargin * (high - low);
-  // A quarter turn of spinors is half a turn of normals, whose weights are not positive. Where
-  // angles wrap around, arcs seem to run in both directions.
-  if (std::abs(upwards) <= kSamples || !(high - low + 2 * margin < M_PI / 2)) return std::nullopt;
-  if (!(narrowest > kLeastPart * (high - low))) return std::nullopt;
-  const bool is_upwards = (upwards > 0) == (sheet == Sheet::kOuter);
-  const double first = is_upwards ? low - margin : high + margin,
-               last = is_upwards ? high + margin : low - margin;
+  const Sweep sweep(circles, contacts, zero);
+  if (!sweep.fits()) return std::nullopt;
+  const bool is_upwards = (sweep.upwards > 0) == (sheet == Sheet::kOuter);
+  const double low = sweep.low - sweep.margin(), high = sweep.high + sweep.margin(),
+               first = is_upwards ? low : high, last = is_upwards ? high : low;
   lines.columns << std::cos(first), std::cos(last), std::sin(first), std::sin(last);
   return CircleChart{lines, is_upwards ? zero : 1 - zero};
 }

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Gamma along a translational family: circles of the one curve, contact with the other.
 //
-// THEOREM 1. Let f(u, v) = c(u) + d(v) with a curve of spheres c and a parabola d(v) = d2 v^2/2 +
-// d1 v
-// + d0 in R^{3,1}. For every u the normals w with <w, c'(u)> = 0 are a circle, and w = w(u, theta)
-// stems from the spinor factorization of the family of circles of c (along_curve.hpp). On it <w,
-// d'(v)> = 0 is linear in v:
+// THEOREM 1. Let f(u, v) = c(u) + d(v) in R^{3,1} with a curve of spheres c and a parabola
+//
+//     d(v) = d2 v^2/2 + d1 v + d0.
+//
+// For every u the normals w with <w, c'(u)> = 0 are a circle, and w = w(u, theta) stems from the
+// spinor factorization of the family of circles of c (along_curve.hpp). On it <w, d'(v)> = 0 is
+// linear in v:
 //
 //     v = -P / Q,     P = <w, d1>,     Q = <w, d2>,
 //
-// so for c = C / q the sections of Gamma = f + mu w are rational: with F = C Q^2 + q (d2 P^2/2 - d1
-// P Q
-// + d0 Q^2)
+// so for c = C / q the sections of Gamma = f + mu w are rational:
 //
+//     F = C Q^2 + q (d2 P^2/2 - d1 P Q + d0 Q^2),
 //     x_d = (F_i w4 + (d q Q^2 - F4) w_i) / (q Q^2 w4),     n = (w1, w2, w3) / w4.
 //
 // The degree along is that of c and six times that of the spinor, the degree around 6. For a
