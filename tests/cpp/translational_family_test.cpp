@@ -79,22 +79,3 @@ TEST_CASE("Where the envelope is not real is found on either triangle", "[transl
   REQUIRE(corner);
   CHECK((*corner)[0] + (*corner)[1] > 1);
 }
-
-TEST_CASE("Sheets are flat by the dimension of the derivatives' span", "[translational_family]") {
-  const auto flat = [](const TranslationalFamily& family) {
-    return std::array{is_flat(family, Sheet::kOuter), is_flat(family, Sheet::kInner)};
-  };
-  CHECK(flat(family_of(kAlongX, kAlongY)) == std::array{false, false});
-  // Dimension 3, and the orthogonal vector (0, 1, 0, 0) is not isotropic.
-  CHECK(flat(family_of(kAlongX, kLineY)) == std::array{false, false});
-  CHECK(flat(family_of(kLineX, kLineY)) == std::array{true, true});
-  // z = h and r = h + const: all spheres touch a plane z = const from above, <(0, 0, -1, 1), f'> =
-  // 0.
-  auto x = kAlongX, y = kAlongY;
-  for (auto* curve : {&x, &y}) {
-    for (auto& sphere : *curve) sphere[3] = sphere[2] + 5;
-  }
-  REQUIRE_FALSE(unreal_place(family_of(x, y)));
-  CHECK(flat(family_of(x, y)) == std::array{false, true});
-  CHECK(flat(family_of(x, y).exchanged()) == std::array{true, false});
-}

@@ -8,8 +8,8 @@
 #include "pn/algebra/precision.hpp"
 #include "pn/bezier/line_factor.hpp"
 #include "pn/bezier/projective_change.hpp"
-#include "pn/isotropic/along_curve.hpp"
 #include "pn/isotropic/along_translation.hpp"
+#include "pn/isotropic/contact_circles.hpp"
 #include "pn/isotropic/seam.hpp"
 
 namespace pn {
@@ -106,38 +106,15 @@ class Contacts {
   FormInU<double> p_, q_;
 };
 
-/// The circles of c, and where its parameters lie in theirs.
-class Circles {
- public:
-  explicit Circles(const SphereParabola& c)
-      : Circles(sphere_curve(c), tangent_direction(sphere_curve(c)).circles) {}
-
-  const Envelope& envelope() const { return envelope_; }
-  const SpinorMatrix<ComplexBall>& spinor() const { return spinor_; }
-  double parameter(double u) const { return parameter_->local_of(RealBall(u)).midpoint(); }
-
-  /// The shear that gives a normal at u = 0 the parameters of another at u = 1; zero where A would
-  /// need a higher degree for it.
-  double shear(const Vector3d& first, const Vector3d& last) const {
-    if (spinor_.degree != std::array{1, 0}) return 0;
-    const auto a = midpoint(spinor_);
-    const Vector2d x = parameter_of(value_at(a, 0), first), y = parameter_of(value_at(a, 1), last);
-    const double shear = y(1) / y(0) - x(1) / x(0);
-    return std::isfinite(shear) ? shear : 0;
-  }
-
- private:
-  Circles(const SphereCurve& curve, const CircleFamily& circles)
-      : envelope_(along_curve(curve, circles)),
-        spinor_(envelope_.enclosure(kLeastPrecision).spinor),
-        parameter_(at_sufficient_precision([&](long bits) {
-          return std::shared_ptr<const LocalParameter>(local_family(circles, bits).parameter);
-        })) {}
-
-  Envelope envelope_;
-  SpinorMatrix<ComplexBall> spinor_;
-  std::shared_ptr<const LocalParameter> parameter_;
-};
+/// The shear that gives a normal at u = 0 the parameters of another at u = 1; zero where A would
+/// need a higher degree for it.
+double shear_between(const ContactCircles& circles, const Vector3d& first, const Vector3d& last) {
+  if (circles.spinor().degree != std::array{1, 0}) return 0;
+  const auto a = midpoint(circles.spinor());
+  const Vector2d x = parameter_of(value_at(a, 0), first), y = parameter_of(value_at(a, 1), last);
+  const double shear = y(1) / y(0) - x(1) / x(0);
+  return std::isfinite(shear) ? shear : 0;
+}
 
 /// A chart, and which of both zeros is on its sheet.
 struct CircleChart {
@@ -151,7 +128,7 @@ struct Sweep {
   double low = HUGE_VAL, high = -HUGE_VAL, narrowest = HUGE_VAL;
   int upwards = 0;  ///< arcs along which the angle rises with v, less those along which it falls
 
-  Sweep(const Circles& circles, const Contacts& contacts, std::size_t zero) {
+  Sweep(const ContactCircles& circles, const Contacts& contacts, std::size_t zero) {
     for (int i = 0; i <= kSamples; ++i) {
       const double t = circles.parameter(static_cast<double>(i) / kSamples);
       const double start = std::atan(contacts.zeros(t, 0)[zero]),
@@ -174,7 +151,7 @@ struct Sweep {
 };
 
 /// Columns of short numbers around a normal, of the circle at the middle of c.
-Matrix2d middle_basis(const Circles& circles, const Vector3d& middle, double shear) {
+Matrix2d middle_basis(const ContactCircles& circles, const Vector3d& middle, double shear) {
   const auto spinor = midpoint(sheared(circles.spinor(), shear));
   return even_factor(value_at(spinor, circles.parameter(0.5)), middle).unaryExpr([](double x) {
     return lines::short_double(x);
@@ -184,7 +161,7 @@ Matrix2d middle_basis(const Circles& circles, const Vector3d& middle, double she
 /// The chart with a basis around the middle normal of a sheet. S_t x S_s points along the normal: s
 /// rises with v on the outer sheet and falls on the inner one. Nothing for arcs too long or too
 /// narrow.
-std::optional<CircleChart> chart_around(const Circles& circles, const SphereParabola& d,
+std::optional<CircleChart> chart_around(const ContactCircles& circles, const SphereParabola& d,
                                         Sheet sheet, const Vector3d& middle, double shear) {
   ChartLines lines{shear, middle_basis(circles, middle, shear), Matrix2d::Identity()};
   const Contacts contacts(lines.lined(circles.spinor(), kLeastPrecision), d);
@@ -242,8 +219,8 @@ SurfaceSections<RealBall> chart_sections(const Envelope& envelope, const SphereP
 }
 
 /// The patch of a chart; nothing without positive weights.
-std::optional<SkinPatch> patch_of(const Circles& circles, const SphereParabola& d, Sheet sheet,
-                                  const CircleChart& chart) {
+std::optional<SkinPatch> patch_of(const ContactCircles& circles, const SphereParabola& d,
+                                  Sheet sheet, const CircleChart& chart) {
   const auto sections = [envelope = circles.envelope(), d, lines = chart.lines](long bits) {
     return chart_sections(envelope, d, lines, bits);
   };
@@ -275,9 +252,9 @@ std::optional<SkinPatch> circle_patch(const TranslationalFamily& family, Sheet s
   if (std::all_of(d.second.begin(), d.second.end(), is_zero)) return std::nullopt;
   const FamilyInDoubles doubles(quadratic_family(family));
   const auto normal = [&](double u) { return doubles.normal(sheet, u, 0.5); };
-  const Circles circles(c);
+  const ContactCircles circles(sphere_curve(c));
   std::optional<SkinPatch> best;
-  for (const double shear : {0.0, circles.shear(normal(0), normal(1))}) {
+  for (const double shear : {0.0, shear_between(circles, normal(0), normal(1))}) {
     const auto chart = chart_around(circles, d, sheet, normal(0.5), shear);
     if (!chart) continue;
     std::optional<SkinPatch> patch = patch_of(circles, d, sheet, *chart);

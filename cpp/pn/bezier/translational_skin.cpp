@@ -5,7 +5,7 @@
 
 #include "pn/algebra/parallel.hpp"
 #include "pn/bezier/circle_chart.hpp"
-#include "pn/bezier/flat_sheet.hpp"
+#include "pn/bezier/separated_patch.hpp"
 #include "pn/bezier/skin.hpp"
 #include "pn/geometry_error.hpp"
 
@@ -110,7 +110,7 @@ std::vector<ExactPatch> exact_patches(const TranslationalSpline& spline, Sheet s
 }  // namespace
 
 std::optional<SkinPatch> best_patch(const TranslationalFamily& family, Sheet sheet) {
-  if (is_flat(family, sheet)) return flat_patch(family, sheet);
+  if (auto separated = separated_patch(quadratic_family(family), sheet)) return separated;
   const std::optional<SkinPatch> along_c = circle_patch(family, sheet),
                                  along_d = circle_patch(family.exchanged(), opposite(sheet));
   if (!(std::max(ratio_of(along_c), ratio_of(along_d)) > 0)) return std::nullopt;

@@ -2,11 +2,11 @@
 // Translational skins: the sheets of a translational spline of spheres, as faces.
 //
 // A face for every pair of spans: in the circle chart of the one curve or of the other, whichever
-// has the better weights (circle_chart.hpp), or flat (flat_sheet.hpp). Where neither chart has
-// weights that are even enough, a span is halved, the one that gains more by it, for all pairs with
-// it: so neighbours share whole edges, in the designer's parameter. Where c' and d' have one
-// direction on both sides of a joint the normals of both faces agree there, and the skin is G1: n
-// depends on the directions of f_u and f_v only.
+// has the better weights (circle_chart.hpp), or in (u, v) itself where its sheets are separated
+// (separated_patch.hpp). Where neither chart has weights that are even enough, a span is halved,
+// the one that gains more by it, for all pairs with it: so neighbours share whole edges, in the
+// designer's parameter. Where c' and d' have one direction on both sides of a joint the normals of
+// both faces agree there, and the skin is G1: n depends on the directions of f_u and f_v only.
 #pragma once
 
 #include <optional>

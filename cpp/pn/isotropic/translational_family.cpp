@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/isotropic/translational_family.hpp"
 
-#include <algorithm>
-
 namespace pn {
 namespace {
 
@@ -19,24 +17,6 @@ Vector moved(Vector x, const Rational& t, const Vector& y) {
 Vector scaled(Vector x, const Rational& factor) {
   for (Rational& c : x) c *= factor;
   return x;
-}
-
-bool is_zero(const Vector& x) {
-  return std::all_of(x.begin(), x.end(), [](const Rational& c) { return c.is_zero(); });
-}
-
-/// The vector orthogonal to three: zero when they are dependent.
-Vector orthogonal(const Vector& a, const Vector& b, const Vector& c) {
-  const auto minor = [&](std::size_t i, std::size_t j, std::size_t k) {
-    return a[i] * (b[j] * c[k] - b[k] * c[j]) - a[j] * (b[i] * c[k] - b[k] * c[i]) +
-           a[k] * (b[i] * c[j] - b[j] * c[i]);
-  };
-  return {minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), minor(0, 1, 2)};
-}
-
-/// m_u x m_v
-std::array<Rational, 3> cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 }  // namespace
@@ -67,20 +47,6 @@ std::optional<std::array<double, 2>> unreal_place(const TranslationalFamily& fam
   if (const auto place = unreal_place(low)) return place;
   if (const auto place = unreal_place(high)) return std::array{1 - (*place)[0], 1 - (*place)[1]};
   return std::nullopt;
-}
-
-bool is_flat(const TranslationalFamily& family, Sheet sheet) {
-  const Vector &c1 = family.c.first, &c2 = family.c.second, &d1 = family.d.first,
-               &d2 = family.d.second;
-  // c1 and d1 are independent, being f_u and f_v at a corner.
-  Vector z = orthogonal(c1, d1, c2);
-  if (is_zero(z)) z = orthogonal(c1, d1, d2);
-  if (is_zero(z)) return true;
-  const auto is_orthogonal = [&](const Vector& x) { return minkowski(z, x).is_zero(); };
-  if (!is_orthogonal(c2) || !is_orthogonal(d2) || !is_orthogonal(z)) return false;
-  const auto across = cross(c1, d1);
-  const Rational side = z[0] * across[0] + z[1] * across[1] + z[2] * across[2];
-  return (side * z[3]).sign() == (sheet == Sheet::kOuter ? 1 : -1);
 }
 
 SphereParabolas SphereParabolas::halved(std::size_t i) const {

@@ -7,15 +7,6 @@
 // envelopes, CAGD 25, 2008; M. Peternell, Rational two-parameter families of spheres and rational
 // offset surfaces, section 6.6, type 1.) Where the envelope is real and regular is the matter of
 // quadratic_family.hpp, on both triangles of the rectangle.
-//
-// THEOREM (flat sheets). Let Delta > 0 and let V be the span of c' and d' for all (u, v), which is
-// that of c1, c2, d1, d2 for c' = c1 + c2 u and d' = d1 + d2 v. A sheet is a plane, with one normal
-// everywhere, exactly when its normal w at one point is orthogonal to V: both are when V has the
-// dimension 2, one is when V has the dimension 3 and its orthogonal vector z is isotropic,
-// otherwise none. Proof: w is orthogonal to all f_u and f_v exactly when it is so to V. A V of
-// dimension 2 is the space-like span of f_u and f_v at any point, whose orthogonal plane has two
-// isotropic directions, the normals of both sheets. In dimension 3 only multiples of z are
-// orthogonal to V. QED
 #pragma once
 
 #include <array>
@@ -23,7 +14,6 @@
 #include <vector>
 
 #include "pn/isotropic/quadratic_family.hpp"
-#include "pn/isotropic/sheet.hpp"
 
 namespace pn {
 
@@ -54,9 +44,6 @@ std::array<QuadraticFamily, 2> triangles(const TranslationalFamily& family);
 /// A parameter (u, v) of the square where Delta <= 0, or where Delta could not be shown to be
 /// positive around it; nothing when Delta > 0 on the whole square, which is proved then.
 std::optional<std::array<double, 2>> unreal_place(const TranslationalFamily& family);
-
-/// Whether a sheet is a plane. Delta > 0.
-bool is_flat(const TranslationalFamily& family, Sheet sheet);
 
 /// A curve of spheres span by span; span i lies over [breaks[i], breaks[i + 1]].
 struct SphereParabolas {
