@@ -182,18 +182,9 @@ class SkinConcept {
           checked_point(x, (first + p) - first, q, section.distance(), certificate.precision_bits);
       const double u = truth.uv[0].midpoint(), v = truth.uv[1].midpoint();
       CHECK((u > -1e-9 && v > -1e-9 && u + v < 1 + 1e-9));
-      const auto exported = enclosed_point(face, first + p, q, certificate.precision_bits);
-      RealBall squares;
-      for (std::size_t c = 0; c < 3; ++c) {
-        squares += (exported[c] - truth.point[c]) * (exported[c] - truth.point[c]);
-      }
-      CHECK(sqrt(abs(squares)).upper() <= certificate.deviation);
+      check_exported_point(face, {first + p, q}, truth.point, certificate);
       CHECK(certificate.deviation < 1e-11 * (size_ + extent(face)));
-      const Eigen::Vector3d n = FamilyInDoubles(family_).normal(sheet_, u, v);
-      double along = 0;
-      for (int c = 0; c < 3; ++c)
-        along += n(c) * truth.normal[static_cast<std::size_t>(c)].midpoint();
-      CHECK(along > 1 - 1e-9);
+      check_along(truth.normal, FamilyInDoubles(family_).normal(sheet_, u, v));
     }
   }
 

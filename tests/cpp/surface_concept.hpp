@@ -180,6 +180,23 @@ inline double extent(const BSplineSurface& face) {
   return largest;
 }
 
+/// The exported point of a face lies within the deviation of the true one.
+inline void check_exported_point(const BSplineSurface& face, const std::array<double, 2>& place,
+                                 const std::array<RealBall, 3>& truth,
+                                 const Certificate& certificate) {
+  const auto exported = enclosed_point(face, place[0], place[1], certificate.precision_bits);
+  RealBall squares;
+  for (std::size_t c = 0; c < 3; ++c) {
+    squares += (exported[c] - truth[c]) * (exported[c] - truth[c]);
+  }
+  CHECK(sqrt(abs(squares)).upper() <= certificate.deviation);
+}
+
+/// Two unit vectors are the same, but for rounding.
+inline void check_along(const std::array<RealBall, 3>& x, const Eigen::Vector3d& y) {
+  CHECK(x[0].midpoint() * y(0) + x[1].midpoint() * y(1) + x[2].midpoint() * y(2) > 1 - 1e-9);
+}
+
 /// The point of the surface of doubles at (u, v) lies within the deviation of the true point, which
 /// is that of the segment, at parameter v of the columns.
 inline void check_certificate(const BSplineSurface& face, const LinedSegment& segment,
@@ -190,21 +207,18 @@ inline void check_certificate(const BSplineSurface& face, const LinedSegment& se
   const RealBall s = (ball(u) - ball(segment.begin)) / (ball(segment.end) - ball(segment.begin));
   std::vector<RealBall> factors;
   for (const Rational& x : circle_coefficients(columns, v)) factors.emplace_back(x, precision);
-  const auto exported = enclosed_point(face, u, v, precision);
   const HomogeneousSections<RealBall>& forms = segment.sections;
   const RealBall weight = value(forms.weight, s, factors);
-  RealBall squares;
+  std::array<RealBall, 3> truth;
   double size = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const RealBall truth = (value(forms.point[i], s, factors) +
-                            ball(distance) * value(forms.direction[i], s, factors)) /
-                           weight;
-    const RealBall difference = exported[i] - truth;
-    squares += difference * difference;
-    size = std::max(size, truth.magnitude_upper());
+    truth[i] = (value(forms.point[i], s, factors) +
+                ball(distance) * value(forms.direction[i], s, factors)) /
+               weight;
+    size = std::max(size, truth[i].magnitude_upper());
   }
   CAPTURE(u, v, distance);
-  CHECK(sqrt(abs(squares)).upper() <= certificate.deviation);
+  check_exported_point(face, {u, v}, truth, certificate);
   // A certificate that says nothing would always hold.
   if (certificate.exact) CHECK(certificate.deviation < 1e-11 * (size + extent(face)));
 }

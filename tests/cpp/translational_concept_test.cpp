@@ -240,18 +240,9 @@ class TranslationConcept {
           enclosed(x, p - first, q, section.distance(), certificate.precision_bits);
       const auto [u, v] = checked_place(truth, section.distance(), certificate.precision_bits);
       CHECK((is_inside(u) && is_inside(v)));
-      const auto exported = enclosed_point(face, p, q, certificate.precision_bits);
-      RealBall squares;
-      for (std::size_t c = 0; c < 3; ++c) {
-        squares += (exported[c] - truth.point[c]) * (exported[c] - truth.point[c]);
-      }
-      CHECK(sqrt(abs(squares)).upper() <= certificate.deviation);
+      check_exported_point(face, {p, q}, truth.point, certificate);
       CHECK(certificate.deviation < 1e-11 * (size_ + extent(face)));
-      const Eigen::Vector3d n = FamilyInDoubles(quadratic_family(pair_)).normal(sheet_, u, v);
-      double along = 0;
-      for (int c = 0; c < 3; ++c)
-        along += n(c) * truth.normal[static_cast<std::size_t>(c)].midpoint();
-      CHECK(along > 1 - 1e-9);
+      check_along(truth.normal, FamilyInDoubles(quadratic_family(pair_)).normal(sheet_, u, v));
     }
   }
 

@@ -75,7 +75,7 @@ TEST_CASE("Neighbours meet along whole edges, in one parameter, with one normal"
     // u = 1 of the first face is side 1 of its square, and u = 0 of the second one side 3; on the
     // inner sheet they are 2 and 0.
     const bool is_outer = sheet == Sheet::kOuter;
-    const ParameterCurve &end = faces[0].trims[0][is_outer ? 1 : 3 - 1],
+    const ParameterCurve &end = faces[0].trims[0][is_outer ? 1 : 2],
                          &start = faces[1].trims[0][is_outer ? 3 : 0];
     for (const double part : {0.0, 0.3, 0.7, 1.0}) {
       const auto a = evaluate(end, part), b = evaluate(start, 1 - part);
@@ -88,7 +88,7 @@ TEST_CASE("Neighbours meet along whole edges, in one parameter, with one normal"
   }
 }
 
-TEST_CASE("Flat spans between curved ones are faces of bidegree (2, 2)", "[translational_skin]") {
+TEST_CASE("Flat sheets are faces of bidegree (2, 2)", "[translational_skin]") {
   const Spheres line = {{{0, 0, 0, 1}, {5, 0, 1, 1}, {10, 0, 2, 1}}},
                 across = {{{0, 0, 0, 1}, {0, 5, 0, 1.5}, {0, 10, 0, 2}}};
   const PNSurface surface = skin(spline_of(family_of(line, across)), Sheet::kInner);
