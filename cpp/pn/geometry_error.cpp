@@ -11,6 +11,8 @@ std::string to_string(ErrorCode code) {
       return "wrong_shape";
     case ErrorCode::kBadKnots:
       return "bad_knots";
+    case ErrorCode::kNotATriangulation:
+      return "not_a_triangulation";
     case ErrorCode::kNonPositiveWeight:
       return "non_positive_weight";
     case ErrorCode::kGap:

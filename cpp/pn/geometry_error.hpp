@@ -11,6 +11,7 @@ enum class ErrorCode {
   kNotFinite,           ///< a number is NaN or infinite
   kWrongShape,          ///< arrays of the wrong size, too few poles, a degree below 1
   kBadKnots,            ///< knots not increasing, multiplicities that do not fit
+  kNotATriangulation,   ///< triangles that run clockwise, overlap, or meet in parts of edges
   kNonPositiveWeight,   ///< a weight is zero or negative
   kGap,                 ///< a curve or a law jumps
   kZeroLength,          ///< a span along which nothing moves

@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <cstdint>
 #include <map>
 
 #include "pn/algebra/bernstein.hpp"
@@ -12,9 +13,11 @@
 #include "pn/bezier/pn_surface.hpp"
 #include "pn/bezier/rounded_solid.hpp"
 #include "pn/bezier/skin.hpp"
+#include "pn/bezier/spline_skin.hpp"
 #include "pn/bezier/translational_skin.hpp"
 #include "pn/geometry_error.hpp"
 #include "pn/shapes/canal_surface.hpp"
+#include "pn/shapes/powell_sabin.hpp"
 #include "pn/shapes/quadric.hpp"
 #include "pn/shapes/ruled_surface.hpp"
 #include "pn/shapes/sphere_family.hpp"
@@ -187,6 +190,51 @@ std::array<std::array<double, 4>, 6> spheres_of(const Array& array) {
   }
   std::array<std::array<double, 4>, 6> spheres;
   for (std::size_t i = 0; i < 6; ++i) std::copy_n(array.data() + 4 * i, 4, spheres[i].begin());
+  return spheres;
+}
+
+using Integers = py::array_t<std::int64_t, py::array::c_style>;
+
+std::vector<pn::Triangle> triangles_of(const Integers& array) {
+  if (array.ndim() != 2 || array.shape(1) != 3) {
+    throw wrong_shape("The triangles must be an array of shape (m, 3).");
+  }
+  std::vector<pn::Triangle> triangles(static_cast<std::size_t>(array.shape(0)));
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t corner = array.data()[3 * t + k];
+      if (corner < 0) throw wrong_shape("The number of a point must not be negative.");
+      triangles[t][k] = static_cast<std::size_t>(corner);
+    }
+  }
+  return triangles;
+}
+
+std::vector<pn::PlacedSphere> placed_spheres_of(const Array& points, const Array& radii,
+                                                const Array& derivatives,
+                                                const std::optional<Array>& parameters) {
+  const std::vector<std::array<double, 3>> centres = points_of(points);
+  const std::vector<double> lengths = vector_of(radii, "radii");
+  const auto count = static_cast<py::ssize_t>(centres.size());
+  if (radii.shape(0) != count) throw wrong_shape("There must be as many radii as points.");
+  if (derivatives.ndim() != 3 || derivatives.shape(0) != count || derivatives.shape(1) != 2 ||
+      derivatives.shape(2) != 4) {
+    throw wrong_shape("The derivatives must be an array of shape (n, 2, 4) for n points.");
+  }
+  if (parameters &&
+      (parameters->ndim() != 2 || parameters->shape(0) != count || parameters->shape(1) != 2)) {
+    throw wrong_shape("The parameters must be an array of shape (n, 2) for n points.");
+  }
+  std::vector<pn::PlacedSphere> spheres(centres.size());
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    const auto& [x, y, z] = centres[i];
+    spheres[i].sphere = {x, y, z, lengths[i]};
+    spheres[i].parameter = {x, y};
+    if (parameters) std::copy_n(parameters->data() + 2 * i, 2, spheres[i].parameter.begin());
+    for (std::size_t k = 0; k < 2; ++k) {
+      std::copy_n(derivatives.data() + 8 * i + 4 * k, 4, spheres[i].derivatives[k].begin());
+    }
+  }
   return spheres;
 }
 
@@ -599,6 +647,69 @@ void define_translational_spheres(py::module_& module) {
              "real envelope, and where a curve has a corner.");
 }
 
+void define_powell_sabin_family(py::module_& module) {
+  using Family = pn::PowellSabinFamily;
+  py::class_<Family>(
+      module, "PowellSabinFamily",
+      "A two-parameter family of spheres f(s, t) = (m, r) over a triangulation of the "
+      "parameter plane: C1, and quadratic on six parts of every triangle.")
+      .def_property_readonly(
+          "skins",
+          [](const Family& family) {
+            const auto [outer, inner] = skins_of<pn::SplineSkin>(family.spline, family.notes);
+            return py::make_tuple(outer, inner);
+          },
+          "The two PNSurfaces m + r n: the outer one, whose normal n is on the side of m_s x m_t, "
+          "and the inner one. Both are G1, with at least six faces for every triangle, in the "
+          "order "
+          "of the triangles. Both normals point away from the mid-surface, so offsets d > 0 "
+          "thicken. Raises GeometryError.")
+      .def_property_readonly(
+          "pieces",
+          [](const Family& family) {
+            const auto& pieces = family.spline.pieces;
+            const auto count = static_cast<py::ssize_t>(pieces.size());
+            Array corners({count, py::ssize_t{3}, py::ssize_t{2}}),
+                spheres({count, py::ssize_t{6}, py::ssize_t{4}});
+            double *corner = corners.mutable_data(), *sphere = spheres.mutable_data();
+            for (const pn::FamilyPiece& piece : pieces) {
+              const auto [at_w, at_u, at_v] = piece.corners;
+              for (const std::size_t k : {at_u, at_v, at_w}) {
+                for (const pn::Rational& x : family.spline.corners[k]) *corner++ = x.to_double();
+              }
+              for (const auto& control : piece.family.control()) {
+                for (std::size_t c = 0; c < 3; ++c) *sphere++ = control[c].to_double();
+                *sphere++ = -control[3].to_double();
+              }
+            }
+            return py::make_tuple(corners, spheres);
+          },
+          "The quadratic pieces, six in a row for every triangle, rounded: their corners u = 1, v "
+          "= "
+          "1, w = 1 in the parameter plane, (6 m, 3, 2), and their control spheres in the order of "
+          "sphere_family, (6 m, 6, 4).")
+      .def_readonly("notes", &Family::notes, "What to know of the family, in sentences.");
+
+  module.def(
+      "sphere_family_powell_sabin",
+      [](const Array& points, const Array& radii, const Array& derivatives,
+         const Integers& triangles, const std::optional<Array>& parameters) {
+        const auto spheres = placed_spheres_of(points, radii, derivatives, parameters);
+        const auto corners = triangles_of(triangles);
+        const py::gil_scoped_release release;
+        return pn::powell_sabin_family(spheres, corners);
+      },
+      py::arg("points"), py::arg("radii"), py::arg("derivatives"), py::arg("triangles"),
+      py::arg("parameters") = py::none(),
+      "The C1 quadratic family on the Powell-Sabin split of a triangulation, with a sphere and a "
+      "tangent plane at every point. points: (n, 3), radii: (n,), in mm; derivatives: (n, 2, 4), "
+      "those of (x, y, z, r) by the parameters s and t; triangles: (m, 3), numbers of points, "
+      "counterclockwise in the parameter plane; parameters: (n, 2), the (s, t) of every point. "
+      "Without them s and t are x and y, as for a mid-surface over the plane z = 0. Raises "
+      "GeometryError where it is no triangulation or has no real envelope, and names the "
+      "triangle.");
+}
+
 PYBIND11_MODULE(pnkernel, module) {
   module.doc() = "Exact offset surfaces with rational unit normals. Millimetres, NumPy arrays.";
   define_error(module);
@@ -608,4 +719,5 @@ PYBIND11_MODULE(pnkernel, module) {
   define_surface(module);
   define_sphere_family(module);
   define_translational_spheres(module);
+  define_powell_sabin_family(module);
 }

@@ -198,3 +198,20 @@ TEST_CASE("A ball rounds to a double when it is narrower than its last place", "
     }
   }
 }
+
+TEST_CASE("Homogeneous coordinates beyond all doubles are made fit for them", "[ball]") {
+  const Rational large = [] {
+    Rational x(3L);
+    for (int i = 0; i < 12; ++i) x *= x;  // about 2^6492
+    return x;
+  }();
+  const std::vector<RealBall> numbers = {RealBall(large, 100), RealBall(-large * Rational(2L), 100),
+                                         RealBall(0L)};
+  CHECK(std::isinf(numbers[0].midpoint()));
+  const std::vector<RealBall> even = normalized(numbers);
+  CHECK(even[1].midpoint() <= -0.5);
+  CHECK(even[1].midpoint() > -1);
+  CHECK((even[0] * RealBall(2L) + even[1]).contains_zero());
+  CHECK(even[2].is_zero());
+  CHECK(pn::normalized({RealBall(0L)})[0].is_zero());
+}

@@ -80,6 +80,18 @@ RealBall scaled(const RealBall& x, long exponent) {
   return result;
 }
 
+std::vector<RealBall> normalized(std::vector<RealBall> numbers) {
+  arf_srcptr largest = nullptr;
+  for (const RealBall& x : numbers) {
+    arf_srcptr midpoint = arb_midref(x.arb());
+    if (!largest || arf_cmpabs(midpoint, largest) > 0) largest = midpoint;
+  }
+  if (!largest || arf_is_special(largest)) return numbers;
+  const long exponent = fmpz_get_si(ARF_EXPREF(largest));
+  for (RealBall& x : numbers) x = scaled(x, -exponent);
+  return numbers;
+}
+
 ComplexBall sqrt(const ComplexBall& z) {
   ComplexBall result = z;
   acb_sqrt(result.acb(), z.acb(), z.precision());

@@ -156,6 +156,9 @@ RealBall sqrt(const RealBall& x);
 RealBall abs(const RealBall& x);
 /// x 2^exponent, exactly.
 RealBall scaled(const RealBall& x, long exponent);
+/// The numbers times the power of two with which the largest midpoint is in [1/2, 1): homogeneous
+/// coordinates that may be too large for doubles.
+std::vector<RealBall> normalized(std::vector<RealBall> numbers);
 
 class ComplexBall {
  public:

@@ -28,12 +28,16 @@ BivariatePolynomial::BivariatePolynomial(const Rational& constant) : BivariatePo
 
 BivariatePolynomial::BivariatePolynomial(const std::vector<std::vector<Rational>>& coefficients)
     : BivariatePolynomial() {
+  // Their content is found once, not anew with every term.
   for (std::size_t i = 0; i < coefficients.size(); ++i) {
     for (std::size_t j = 0; j < coefficients[i].size(); ++j) {
+      if (coefficients[i][j].is_zero()) continue;
       const ulong exponents[] = {i, j};
-      fmpq_mpoly_set_coeff_fmpq_ui(value_, coefficients[i][j].flint(), exponents, ring());
+      fmpq_mpoly_push_term_fmpq_ui(value_, coefficients[i][j].flint(), exponents, ring());
     }
   }
+  fmpq_mpoly_sort_terms(value_, ring());
+  fmpq_mpoly_reduce(value_, ring());
 }
 
 BivariatePolynomial::BivariatePolynomial(const RationalPolynomial& p, Variable variable)

@@ -34,10 +34,11 @@ FaceNet face_net(const ExactPatch& patch, double place, long precision) {
     direction[c] = coefficients(sections.direction[c]);
   }
   const std::vector<RealBall> weight = coefficients(sections.weight);
+  const std::vector<RealBall> even_weight = normalized(weight);
   for (std::size_t i = 0; i < weight.size(); ++i) {
     const RealBall inverse = RealBall(1) / weight[i];
     NetPole pole;
-    pole.weight = weight[i];
+    pole.weight = even_weight[i];
     for (std::size_t c = 0; c < 3; ++c) {
       pole.point[c] = point[c][i] * inverse;
       pole.direction[c] = direction[c][i] * inverse;

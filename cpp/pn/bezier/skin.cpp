@@ -70,19 +70,25 @@ void append_patches(std::vector<PlacedPatch>& patches, const FamilyPart& part, S
   }
 }
 
-/// The parameters in (0, 1) at which corners of patches lie between two points. All are multiples
-/// of a power of two, so the products are exact.
-std::vector<double> corners_between(const std::vector<PlacedPatch>& patches, const Parameters& from,
+std::vector<Parameters> corners_of(const std::vector<PlacedPatch>& patches) {
+  std::vector<Parameters> corners;
+  for (const PlacedPatch& patch : patches) {
+    corners.insert(corners.end(), patch.corners.begin(), patch.corners.end());
+  }
+  return corners;
+}
+
+/// The parameters in (0, 1) at which corners lie between two points. All are multiples of a power
+/// of two, so the products are exact.
+std::vector<double> corners_between(const std::vector<Parameters>& corners, const Parameters& from,
                                     const Parameters& to) {
   const double du = to[0] - from[0], dv = to[1] - from[1];
   std::vector<double> found;
-  for (const PlacedPatch& patch : patches) {
-    for (const Parameters& corner : patch.corners) {
-      const double u = corner[0] - from[0], v = corner[1] - from[1];
-      if (u * dv != v * du) continue;
-      const double at = std::abs(du) > std::abs(dv) ? u / du : v / dv;
-      if (0 < at && at < 1) found.push_back(at);
-    }
+  for (const Parameters& corner : corners) {
+    const double u = corner[0] - from[0], v = corner[1] - from[1];
+    if (u * dv != v * du) continue;
+    const double at = std::abs(du) > std::abs(dv) ? u / du : v / dv;
+    if (0 < at && at < 1) found.push_back(at);
   }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -98,10 +104,13 @@ std::vector<PlacedPatch> skin_patches(const QuadraticFamily& family, Sheet sheet
 }
 
 std::vector<double> ends_along(const std::vector<PlacedPatch>& patches, std::size_t edge) {
-  return corners_between(patches, on_edge(edge, 0), on_edge(edge, 1));
+  return corners_between(corners_of(patches), on_edge(edge, 0), on_edge(edge, 1));
 }
 
-std::vector<ExactPatch> exact_patches(const std::vector<PlacedPatch>& patches) {
+std::vector<ExactPatch> exact_patches(const std::vector<PlacedPatch>& patches,
+                                      const std::vector<std::array<double, 2>>& more) {
+  std::vector<Parameters> ends = corners_of(patches);
+  ends.insert(ends.end(), more.begin(), more.end());
   std::vector<ExactPatch> result;
   for (const auto& [patch, corners] : patches) {
     ExactPatch exact{patch.degree, patch.sections, {}};
@@ -111,7 +120,7 @@ std::vector<ExactPatch> exact_patches(const std::vector<PlacedPatch>& patches) {
       const std::size_t edge = is_outer ? k : 2 - k;
       const Parameters &a = corners[edge], &b = corners[(edge + 1) % 3];
       double from = 0;
-      for (const double to : corners_between(patches, is_outer ? a : b, is_outer ? b : a)) {
+      for (const double to : corners_between(ends, is_outer ? a : b, is_outer ? b : a)) {
         exact.boundary.push_back(part_of(paths[k], from, to));
         from = to;
       }

@@ -29,8 +29,10 @@ std::vector<PlacedPatch> skin_patches(const QuadraticFamily& family, Sheet sheet
 /// The parameters in (0, 1) at which patches end along an edge of the whole triangle, rising.
 std::vector<double> ends_along(const std::vector<PlacedPatch>& patches, std::size_t edge);
 
-/// The patches with their boundaries, in the same order.
-std::vector<ExactPatch> exact_patches(const std::vector<PlacedPatch>& patches);
+/// The patches with their boundaries, in the same order. Edges end at corners of patches, and where
+/// those of neighbours end: at `more` points (u, v) on the edges of the whole triangle.
+std::vector<ExactPatch> exact_patches(const std::vector<PlacedPatch>& patches,
+                                      const std::vector<std::array<double, 2>>& more = {});
 
 /// The range of distances d with |r + d| <= R on the triangle for the regular radius R.
 OffsetRange regular_range(const QuadraticFamily& family);

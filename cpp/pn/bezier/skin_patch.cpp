@@ -50,7 +50,7 @@ std::array<ParameterPath, 3> boundary(const SkinPatch& patch) {
 /// The smallest of some Bernstein coefficients in parts of the largest.
 double least_ratio(const TensorPolynomial<RealBall>& weight) {
   double least = INFINITY, largest = 0;
-  for (const RealBall& c : to_bernstein(weight)) {
+  for (const RealBall& c : normalized(to_bernstein(weight))) {
     least = std::min(least, c.lower());
     largest = std::max(largest, c.upper());
   }
