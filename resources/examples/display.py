@@ -27,6 +27,12 @@ def paint_faces(obj, *parts):
         obj.ViewObject.DiffuseColor = [colour for count, colour in parts for _ in range(count)]
 
 
+def hide_edges(obj):
+    """Leaves the edges of faces out."""
+    if FreeCAD.GuiUp:
+        obj.ViewObject.DisplayMode = "Shaded"
+
+
 def paint_wall(wall, sides):
     """Paints the faces of a solid wall: the sides as the surfaces on which they lie, ends bright.
 

@@ -7,7 +7,7 @@ Run it as a macro in FreeCAD, or import it and call make_dome().
 import math
 
 import FreeCAD
-from display import paint_faces, show_only
+from display import hide_edges, paint_faces, show_only
 
 import pnsurfaces
 
@@ -42,6 +42,7 @@ def make_dome():
     document.recompute()
     inner, outer = (len(shell.Faces) for shell in dome.Shape.Shells)
     paint_faces(dome, (inner, _INSIDE), (outer, _OUTSIDE))
+    hide_edges(dome)
     show_only(dome)
     return document
 
