@@ -13,6 +13,7 @@
 #include "pn/bezier/pn_surface.hpp"
 #include "pn/bezier/rounded_solid.hpp"
 #include "pn/bezier/skin.hpp"
+#include "pn/bezier/spline_skin.hpp"
 #include "pn/bezier/translational_skin.hpp"
 #include "pn/bezier/spline_skin.hpp"
 #include "pn/geometry_error.hpp"

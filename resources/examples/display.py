@@ -21,6 +21,18 @@ def paint(colour, *objects):
             obj.ViewObject.ShapeColor = colour
 
 
+def paint_faces(obj, *parts):
+    """Paints the faces in their order: `parts` are pairs (number of faces, colour)."""
+    if FreeCAD.GuiUp:
+        obj.ViewObject.DiffuseColor = [colour for count, colour in parts for _ in range(count)]
+
+
+def hide_edges(obj):
+    """Leaves the edges of faces out."""
+    if FreeCAD.GuiUp:
+        obj.ViewObject.DisplayMode = "Shaded"
+
+
 def paint_wall(wall, sides):
     """Paints the faces of a solid wall: the sides as the surfaces on which they lie, ends bright.
 

@@ -104,4 +104,14 @@ EXAMPLES = (
         ),
         ("Body",), ("Body",), 20, 40,
     ),
+    Example(
+        "dome",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Dome"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces",
+            "Both skins of an eight-sided dome whose wall grows from the oculus to the foot: a"
+            " sphere and a tangent plane at each point of a triangulation.",
+        ),
+        ("Dome",), (), 15, -28,
+    ),
 )

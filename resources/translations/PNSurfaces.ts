@@ -24,6 +24,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Centres of the spheres: points of the mid-surface, a graph over the plane z = 0</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Degree along and across the faces</source>
             <translation type="unfinished" />
         </message>
@@ -72,6 +76,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>How fast height and radius change along x, then along y, four numbers for every point; none to have them estimated</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>How the ends of a solid are closed</source>
             <translation type="unfinished" />
         </message>
@@ -117,6 +125,10 @@
         </message>
         <message>
             <source>Radii at the vertices or positions, or Bezier coefficients, in mm</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Radii of the spheres in mm: half the thickness there</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -189,6 +201,10 @@
         </message>
         <message>
             <source>Three or six vertices in place of the centres: the corners first, then those between them</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Three points of every triangle, counterclockwise seen from above, counted from 0</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -491,6 +507,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Both skins of an eight-sided dome whose wall grows from the oculus to the foot: a sphere and a tangent plane at each point of a triangulation.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Box</source>
             <translation type="unfinished" />
         </message>
@@ -536,6 +556,10 @@
         </message>
         <message>
             <source>Distances without singular points; beyond the surface folds.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Dome</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -1230,6 +1254,21 @@
         </message>
         <message>
             <source>Use selection</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>TriangulatedSkins</name>
+        <message>
+            <source>Mid-surface</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Skins</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The spheres: points of the mid-surface, and radii, which are half the thickness</source>
             <translation type="unfinished" />
         </message>
     </context>

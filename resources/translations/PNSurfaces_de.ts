@@ -24,6 +24,10 @@
             <translation>Mittelpunkte der Kugeln A, B, C, AB, BC, CA: die Kontrollpunkte der Mittelfläche</translation>
         </message>
         <message>
+            <source>Centres of the spheres: points of the mid-surface, a graph over the plane z = 0</source>
+            <translation>Mittelpunkte der Kugeln: Punkte der Mittelfläche, eines Graphen über der Ebene z = 0</translation>
+        </message>
+        <message>
             <source>Degree along and across the faces</source>
             <translation>Grad entlang und quer zu den Flächen</translation>
         </message>
@@ -72,6 +76,10 @@
             <translation>Wie weit Näherungen entfernt sind, Teil der Abweichung; bewiesen oder gemessen</translation>
         </message>
         <message>
+            <source>How fast height and radius change along x, then along y, four numbers for every point; none to have them estimated</source>
+            <translation>Wie schnell sich Höhe und Radius längs x ändern, dann längs y, vier Zahlen je Punkt; keine, damit sie geschätzt werden</translation>
+        </message>
+        <message>
             <source>How the ends of a solid are closed</source>
             <translation>Wie die Enden eines Volumenkörpers geschlossen werden</translation>
         </message>
@@ -118,6 +126,10 @@
         <message>
             <source>Radii at the vertices or positions, or Bezier coefficients, in mm</source>
             <translation>Radien an den Knoten oder Positionen, oder Bézier-Koeffizienten, in mm</translation>
+        </message>
+        <message>
+            <source>Radii of the spheres in mm: half the thickness there</source>
+            <translation>Radien der Kugeln in mm: dort die halbe Dicke</translation>
         </message>
         <message>
             <source>Radii of the spheres in mm: half the thickness, as control values</source>
@@ -190,6 +202,10 @@
         <message>
             <source>Three or six vertices in place of the centres: the corners first, then those between them</source>
             <translation>Drei oder sechs Knoten anstelle der Mittelpunkte: zuerst die Ecken, dann die dazwischen</translation>
+        </message>
+        <message>
+            <source>Three points of every triangle, counterclockwise seen from above, counted from 0</source>
+            <translation>Drei Punkte jedes Dreiecks, von oben gesehen gegen den Uhrzeigersinn, von 0 an gezählt</translation>
         </message>
         <message>
             <source>Valid, a warning or an error</source>
@@ -491,6 +507,10 @@
             <translation>Beide Hautflächen</translation>
         </message>
         <message>
+            <source>Both skins of an eight-sided dome whose wall grows from the oculus to the foot: a sphere and a tangent plane at each point of a triangulation.</source>
+            <translation>Beide Hautflächen einer achteckigen Kuppel, deren Wand vom Auge zum Fuß hin zunimmt: eine Kugel und eine Tangentialebene in jedem Punkt einer Triangulierung.</translation>
+        </message>
+        <message>
             <source>Box</source>
             <translation>Quader</translation>
         </message>
@@ -537,6 +557,10 @@
         <message>
             <source>Distances without singular points; beyond the surface folds.</source>
             <translation>Abstände ohne singuläre Punkte; jenseits davon faltet sich die Fläche.</translation>
+        </message>
+        <message>
+            <source>Dome</source>
+            <translation>Kuppel</translation>
         </message>
         <message>
             <source>Edit {}</source>
@@ -1231,6 +1255,21 @@
         <message>
             <source>Use selection</source>
             <translation>Auswahl übernehmen</translation>
+        </message>
+    </context>
+    <context>
+        <name>TriangulatedSkins</name>
+        <message>
+            <source>Mid-surface</source>
+            <translation>Mittelfläche</translation>
+        </message>
+        <message>
+            <source>Skins</source>
+            <translation>Hautflächen</translation>
+        </message>
+        <message>
+            <source>The spheres: points of the mid-surface, and radii, which are half the thickness</source>
+            <translation>Die Kugeln: Punkte der Mittelfläche, und Radien, die halbe Dicke</translation>
         </message>
     </context>
 </TS>

@@ -8,12 +8,15 @@ from pnsurfaces.choice_names import CHOICES
 from pnsurfaces.mid_surface_skins import MidSurfaceSkins
 from pnsurfaces.quadric_offset import QuadricOffset
 from pnsurfaces.ruled_offset import RuledOffset
+from pnsurfaces.triangulated_skins import TriangulatedSkins
 
 
 class ChoiceNames(DocumentTest):
     def test_all_choices_have_names(self):
         offered = set()
-        for proxy in (CanalSurface, RuledOffset, QuadricOffset, MidSurfaceSkins):
+        for proxy in (
+            CanalSurface, RuledOffset, QuadricOffset, MidSurfaceSkins, TriangulatedSkins
+        ):
             obj = self.document.addObject("Part::FeaturePython", proxy.__name__)
             proxy(obj)
             for name in obj.PropertiesList:

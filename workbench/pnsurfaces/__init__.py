@@ -18,6 +18,7 @@ _HOMES = {
     "make_mid_surface_skins": "mid_surface_skins",
     "make_quadric_offset": "quadric_offset",
     "make_ruled_offset": "ruled_offset",
+    "make_triangulated_skins": "triangulated_skins",
     "open_example": "examples",
     "write_certificate": "certificate_report",
 }

@@ -7,6 +7,7 @@ _TITLES = {
     "MidSurfaceSkins": "skins of a mid-surface",
     "RuledOffset": "offset of a ruled surface",
     "QuadricOffset": "offset of a quadric",
+    "TriangulatedSkins": "skins over a triangulation",
 }
 
 

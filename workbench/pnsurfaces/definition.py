@@ -10,7 +10,7 @@ coordinates, so that a bound of 1e-14 mm on a surface of 100 mm is met, but not 
 - A ruled surface at distance d is the envelope of the cylinders of radius d about its rulings: the
   foot c of a point on its ruling has (x - c).c_t = 0.
 - A quadric at distance d has the points x with a foot p on it, q(p) = 0, x - p along grad q(p).
-- The skins of a mid-surface at distance d are the envelope of the spheres |x - m(u, v)| = r(u, v) + d:
+- The skins of a mid-surface, also over a triangulation, at distance d are the envelope of the spheres |x - m(u, v)| = r(u, v) + d:
   a point of it is on one sphere and outside all its neighbours, (x - m).m_u + (r + d) r_u = 0 and
   likewise for v.
 
@@ -28,6 +28,7 @@ from pnsurfaces.mid_surface_skins import MidSurfaceSkins, read_net
 from pnsurfaces.quadric_form import standard_equation
 from pnsurfaces.quadric_offset import KINDS, OF_FACE, QuadricOffset, half_axes, read_face
 from pnsurfaces.ruled_offset import RuledOffset, read_curves
+from pnsurfaces.triangulated_skins import TriangulatedSkins, read_family
 
 # Parameters between which a root is looked for, on each span: more than the characteristic
 # equation of a span has roots in practice. A missed root shows as a deviation, never hides one.
@@ -50,9 +51,14 @@ _NEWTON_STEPS = 8
 # Steps along the edges of a triangle of spheres, from the best of which Newton's method starts.
 _GRID_OF_NET = 17
 
+# Triangles of spheres from which a point is measured: that over which its centre lies, and those
+# across the nearest edges.
+_NEAREST_NETS = 3
+
 
 def definition_of(obj):
-    """The definition of a feature: Spheres, Rulings, Quadric, SphereNet or BallNet; None for another object."""
+    """The definition of a feature: Spheres, Rulings, Quadric, SphereNet, SphereNets or BallNet; None for
+    another object."""
     proxy = type(getattr(obj, "Proxy", None))
     return _DEFINITIONS[proxy](obj) if proxy in _DEFINITIONS else None
 
@@ -206,6 +212,54 @@ class SphereNet(NamedTuple):
         )
 
 
+class SphereNets(NamedTuple):
+    """Quadratic triangles of spheres over the plane z = 0, side by side.
+
+    corners (m, 3, 2) are theirs, A, B and C, in x and y; nets are their SphereNets.
+    """
+
+    corners: np.ndarray
+    nets: list
+
+    words = SphereNet.words
+
+    def deviations(self, points, normals, distance):
+        # Samples of a face may lie a little beyond its edge, where it goes on over the neighbour.
+        candidates = self._nearest(points, normals, distance)
+        return np.min([self._from(owners, points, normals, distance) for owners in candidates], axis=0)
+
+    def _from(self, owners, points, normals, distance):
+        found = np.empty(len(points))
+        for owner in np.unique(owners):
+            here = owners == owner
+            found[here] = self.nets[owner].deviations(points[here], normals[here], distance)
+        return found
+
+    def _nearest(self, points, normals, distance):
+        """The triangles (k, n) over or next to which the centre lies, the point at its normal."""
+        radii = np.full(len(points), np.mean([net.spheres[:, 3] for net in self.nets]))
+        for _ in range(_NEWTON_STEPS):
+            centres = points - (radii + distance)[:, None] * normals
+            inside = self._barycentric(centres[:, None, :2])
+            depths = inside.min(axis=-1)
+            owners = depths.argmax(axis=1)
+            chosen = inside[np.arange(len(points)), owners]
+            for owner in np.unique(owners):
+                here = owners == owner
+                u, v, w = chosen[here].T
+                a, b, c, ab, bc, ca = self.nets[owner].spheres[:, 3]
+                radii[here] = (u * u * a + v * v * b + w * w * c
+                               + 2 * (u * v * ab + v * w * bc + u * w * ca))
+        return np.argsort(-depths, axis=1)[:, :_NEAREST_NETS].T
+
+    def _barycentric(self, places):
+        """The coordinates (n, m, 3) of places (n, 1, 2) in all triangles."""
+        a, b, c = self.corners.transpose(1, 0, 2)
+        area = _cross(a - c, b - c)
+        u, v = _cross(places - c, b - c) / area, _cross(a - c, places - c) / area
+        return np.stack([u, v, 1 - u - v], axis=-1)
+
+
 class BallNet(NamedTuple):
     """The union of the balls of a quadratic triangle of spheres, as SphereNet.
 
@@ -348,6 +402,10 @@ def _dot(a, b):
     return np.sum(a * b, axis=-1)
 
 
+def _cross(a, b):
+    return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+
+
 def _length(a):
     return np.linalg.norm(a, axis=-1)
 
@@ -370,9 +428,16 @@ def _quadric(obj):
     return Quadric(*standard_equation(KINDS[obj.Kind].name, half_axes(obj)))
 
 
+def _nets(obj):
+    corners, spheres = read_family(obj).pieces
+    # In the kernel's order: A, AB, B, CA, BC, C.
+    return SphereNets(corners, [SphereNet(net[[0, 2, 5, 1, 4, 3]]) for net in spheres])
+
+
 _DEFINITIONS = {
     CanalSurface: lambda obj: _spheres(*read_spheres(obj)),
     RuledOffset: _rulings,
     QuadricOffset: _quadric,
     MidSurfaceSkins: lambda obj: (BallNet if obj.Output == SOLID else SphereNet)(read_net(obj)),
+    TriangulatedSkins: _nets,
 }

@@ -15,6 +15,8 @@ from pnsurfaces.quadric_offset import QuadricOffset
 from pnsurfaces.quadric_offset_panel import QuadricOffsetPanel
 from pnsurfaces.ruled_offset import RuledOffset
 from pnsurfaces.ruled_offset_panel import RuledOffsetPanel
+from pnsurfaces.triangulated_skins import TriangulatedSkins
+from pnsurfaces.triangulated_skins_panel import TriangulatedSkinsPanel
 
 translate = FreeCAD.Qt.translate
 
@@ -24,6 +26,7 @@ PANELS = {
     MidSurfaceSkins: MidSurfaceSkinsPanel,
     QuadricOffset: QuadricOffsetPanel,
     RuledOffset: RuledOffsetPanel,
+    TriangulatedSkins: TriangulatedSkinsPanel,
 }
 
 # Edit modes other than this one (moving, colouring) are FreeCAD's own.
