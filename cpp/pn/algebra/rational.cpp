@@ -43,4 +43,13 @@ Rational common_denominator(const Rational& a, const Rational& b) {
   return result;
 }
 
+std::optional<Rational> square_root(const Rational& x) {
+  const fmpz *numerator = fmpq_numref(x.flint()), *denominator = fmpq_denref(x.flint());
+  if (fmpz_is_square(numerator) == 0 || fmpz_is_square(denominator) == 0) return std::nullopt;
+  Rational root;
+  fmpz_sqrt(fmpq_numref(root.flint()), numerator);
+  fmpz_sqrt(fmpq_denref(root.flint()), denominator);
+  return root;
+}
+
 }  // namespace pn

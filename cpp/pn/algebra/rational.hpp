@@ -7,6 +7,8 @@
 
 #include <flint/fmpq.h>
 
+#include <optional>
+
 namespace pn {
 
 class Rational {
@@ -72,5 +74,8 @@ class Rational {
 
 /// The least positive integer n for which n a and n b are integers.
 Rational common_denominator(const Rational& a, const Rational& b);
+
+/// The root >= 0 of a rational square; nothing for other numbers.
+std::optional<Rational> square_root(const Rational& x);
 
 }  // namespace pn

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "pn/algebra/ball.hpp"
-#include "pn/algebra/bivariate_polynomial.hpp"
+#include "pn/algebra/multivariate_polynomial.hpp"
 
 namespace pn {
 
