@@ -17,6 +17,7 @@
 #include "pn/shapes/quadric.hpp"
 #include "pn/shapes/ruled_surface.hpp"
 #include "pn/shapes/sphere_family.hpp"
+#include "surfaces_from_functions.hpp"
 
 namespace py = pybind11;
 
@@ -553,4 +554,5 @@ PYBIND11_MODULE(pnkernel, module) {
   define_outputs(module);
   define_surface(module);
   define_sphere_family(module);
+  define_surfaces_from_functions(module);
 }
