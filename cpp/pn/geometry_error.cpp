@@ -51,6 +51,10 @@ std::string to_string(ErrorCode code) {
       return "identical_curves";
     case ErrorCode::kCurvesMeet:
       return "curves_meet";
+    case ErrorCode::kGrazingLight:
+      return "grazing_light";
+    case ErrorCode::kLightOnMirror:
+      return "light_on_mirror";
     case ErrorCode::kPrecisionExhausted:
       return "precision_exhausted";
   }

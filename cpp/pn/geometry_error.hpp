@@ -32,6 +32,8 @@ enum class ErrorCode {
   kNotRational,         ///< the offset is known not to be rational
   kIdenticalCurves,     ///< both curves of a ruled surface are one
   kCurvesMeet,          ///< a ruling has no length
+  kGrazingLight,        ///< light runs along a mirror everywhere
+  kLightOnMirror,       ///< a light source is on the mirror
   kPrecisionExhausted,  ///< something could not be proved at the highest precision
 };
 

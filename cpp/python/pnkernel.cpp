@@ -23,6 +23,7 @@
 #include "pn/shapes/ruled_surface.hpp"
 #include "pn/shapes/sphere_family.hpp"
 #include "pn/shapes/translational_spheres.hpp"
+#include "surfaces_from_functions.hpp"
 
 namespace py = pybind11;
 
@@ -721,4 +722,5 @@ PYBIND11_MODULE(pnkernel, module) {
   define_sphere_family(module);
   define_translational_spheres(module);
   define_powell_sabin_family(module);
+  define_surfaces_from_functions(module);
 }

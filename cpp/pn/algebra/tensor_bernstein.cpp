@@ -21,6 +21,11 @@ constexpr double kUpwards = 1 + 0x1p-40;
 /// Covers the underflow of a mean.
 constexpr double kLeastError = std::numeric_limits<double>::min();
 
+/// Bits for proofs about polynomials over Q: more than the doubles that they are rounded to lose.
+constexpr long kProofBits = 256;
+/// Parts of the square after which a proof is given up.
+constexpr int kMostTiles = 20000;
+
 std::size_t index(Variable variable) { return variable == Variable::kU ? 0 : 1; }
 
 /// The part left of t, which ends there.
@@ -165,6 +170,15 @@ bool RoundedBernstein::is_positive() const {
                      [&](double c) { return c > error_; });
 }
 
+bool RoundedBernstein::has_corner_not_positive() const {
+  const std::size_t last_row = coefficients_.size() - size_v_;
+  for (const std::size_t corner :
+       {std::size_t{0}, size_v_ - 1, last_row, coefficients_.size() - 1}) {
+    if (coefficients_[corner] <= error_) return true;
+  }
+  return false;
+}
+
 bool RoundedBernstein::is_negative() const {
   return std::all_of(coefficients_.begin(), coefficients_.end(),
                      [&](double c) { return c < -error_; });
@@ -282,6 +296,22 @@ RoundedBernstein::Change RoundedBernstein::change_through(std::size_t place,
   }
   // The polygon is at most degree / 8 of its second differences away from the polynomial.
   return {bend * static_cast<double>(length - 1) / 8, largest - least};
+}
+
+bool is_positive_on_square(const BivariatePolynomial& p) {
+  if (p.is_zero()) return false;
+  const TensorBernstein whole(p, p.degree(Variable::kU), p.degree(Variable::kV), kProofBits);
+  std::vector<RoundedBernstein> open = {RoundedBernstein(whole)};
+  for (int tiles = 0; !open.empty(); ++tiles) {
+    const RoundedBernstein tile = std::move(open.back());
+    open.pop_back();
+    if (tile.is_positive()) continue;
+    if (tiles == kMostTiles || tile.has_corner_not_positive()) return false;
+    for (RoundedBernstein& half : tile.halved(tile.decisive_variable())) {
+      open.push_back(std::move(half));
+    }
+  }
+  return true;
 }
 
 }  // namespace pn

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "pn/algebra/ball.hpp"
-#include "pn/algebra/bivariate_polynomial.hpp"
+#include "pn/algebra/multivariate_polynomial.hpp"
 
 namespace pn {
 
@@ -55,6 +55,10 @@ class TensorBernstein {
 /// The coefficients on the unit square are non-negative, decided exactly: so is the polynomial.
 bool has_non_negative_coefficients(const BivariatePolynomial& p);
 
+/// The polynomial is positive on the unit square, proved by halving it. False where it is not, and
+/// where the proof would take very small parts.
+bool is_positive_on_square(const BivariatePolynomial& p);
+
 /// Coefficients in doubles, every one within a common error of the true one.
 class RoundedBernstein {
  public:
@@ -65,6 +69,9 @@ class RoundedBernstein {
   double error() const { return error_; }
 
   bool is_positive() const;
+  /// At a corner, where the polynomial has the value of the coefficient, it is not known to be
+  /// positive.
+  bool has_corner_not_positive() const;
   bool is_negative() const;
   /// 1 or -1 where no coefficient has certainly the other sign, 0 where the coefficients have both.
   int possible_sign() const;

@@ -16,7 +16,7 @@
 
 #include "pn/algebra/ball.hpp"
 #include "pn/algebra/bernstein.hpp"
-#include "pn/algebra/bivariate_polynomial.hpp"
+#include "pn/algebra/multivariate_polynomial.hpp"
 #include "pn/algebra/form.hpp"
 
 namespace pn {

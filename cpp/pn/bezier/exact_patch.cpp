@@ -50,6 +50,7 @@ FaceNet face_net(const ExactPatch& patch, double place, long precision) {
 }
 
 TrimmedFace trimmed_face(const ExactPatch& patch, std::size_t place) {
+  if (patch.boundary.empty()) return {place, {}};
   TrimmedFace face{place, {{}}};
   for (const ParameterPath& path : patch.boundary) {
     const auto moved = [path, place](double at) {

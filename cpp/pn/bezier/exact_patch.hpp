@@ -17,7 +17,7 @@ struct ExactPatch {
   std::array<int, 2> degree;
   /// Its sections over [0, 1]^2, enclosed at this precision [bits].
   std::function<SurfaceSections<RealBall>(long)> sections;
-  /// Pieces of one loop in [0, 1]^2, the patch on its left.
+  /// Pieces of one loop in [0, 1]^2, the patch on its left; none: the whole square.
   std::vector<ParameterPath> boundary;
 };
 

@@ -18,7 +18,7 @@
 #include <optional>
 #include <vector>
 
-#include "pn/algebra/bivariate_polynomial.hpp"
+#include "pn/algebra/multivariate_polynomial.hpp"
 #include "pn/bezier/bspline_surface.hpp"
 #include "pn/bezier/direction_cone.hpp"
 

@@ -16,6 +16,12 @@ namespace {
 
 std::size_t index_of(Lines lines) { return lines == Lines::kEven ? 0 : 1; }
 
+/// Normals are unit vectors but for rounding, except where offsets are not rational.
+std::array<double, 3> unit(const std::array<double, 3>& normal) {
+  const double length = std::hypot(normal[0], normal[1], normal[2]);
+  return {normal[0] / length, normal[1] / length, normal[2] / length};
+}
+
 /// The edges of the faces of a net; they hold for all its sections.
 struct NetTrims {
   std::shared_ptr<const SectionNet> net;
@@ -85,6 +91,11 @@ PNSurface::PNSurface(std::shared_ptr<const SectionSource> source)
 PNSurface PNSurface::offset(double d) const {
   if (!std::isfinite(distance_ + d)) {
     throw GeometryError(ErrorCode::kNotFinite, "The distance is not a finite number.");
+  }
+  if (distance_ + d != 0 && !shared_->source->has_offsets()) {
+    throw GeometryError(ErrorCode::kNotRational,
+                        "The offsets of this surface are not rational; only the surface at "
+                        "distance zero is.");
   }
   PNSurface result = *this;
   result.sections_ = std::make_shared<std::array<std::shared_ptr<const Section>, 2>>();
@@ -169,7 +180,7 @@ std::vector<SurfacePoint> PNSurface::evaluate(const std::vector<double>& t,
   result.reserve(t.size());
   for (std::size_t i = 0; i < t.size(); ++i) {
     const std::size_t face = rounded->face_at(t[i], v[i]);
-    result.push_back({points_of[face](t[i], v[i]), normals_of[face](t[i], v[i])});
+    result.push_back({points_of[face](t[i], v[i]), unit(normals_of[face](t[i], v[i]))});
   }
   return result;
 }

@@ -40,7 +40,7 @@ class PNSurface {
   explicit PNSurface(std::shared_ptr<const SectionSource> source);
 
   /// The surface at distance() + d [mm], on the side of the normal for d > 0. Throws GeometryError
-  /// when d is not finite.
+  /// when d is not finite, or where the offsets are not rational.
   PNSurface offset(double d) const;
   double distance() const { return distance_; }
 

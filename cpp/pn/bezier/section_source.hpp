@@ -34,6 +34,8 @@ class SectionSource {
   /// Throws Undecided when the precision does not suffice, GeometryError when there is no net with
   /// positive weights.
   virtual TrimmableNet net(Lines lines, long precision) const = 0;
+  /// Sections at distances other than zero are rational.
+  virtual bool has_offsets() const { return true; }
   /// The certified range of distances without a singular point.
   virtual OffsetRange regular_range() const = 0;
   /// Nothing in the input was fitted or closed up.

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "pn/algebra/bivariate_polynomial.hpp"
+#include "pn/algebra/multivariate_polynomial.hpp"
 
 namespace pn {
 

@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numeric>
 #include <string>
 
-#include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/parallel.hpp"
 #include "pn/geometry_error.hpp"
+#include "pn/shapes/blossom.hpp"
 
 namespace pn {
 namespace {
@@ -41,32 +39,6 @@ void require_weights(const BSplineData<Dimension>& data) {
 }
 
 template <std::size_t Dimension>
-void require_knots(const BSplineData<Dimension>& data) {
-  const auto fail = [](const std::string& sentence) {
-    throw GeometryError(ErrorCode::kBadKnots, sentence);
-  };
-  const auto& mult = data.multiplicities;
-  if (data.knots.size() < 2 || data.knots.size() != mult.size()) {
-    fail("There must be at least two knots, each with its multiplicity.");
-  }
-  if (std::adjacent_find(data.knots.begin(), data.knots.end(), std::greater_equal<double>()) !=
-      data.knots.end()) {
-    fail("The knots must increase strictly.");
-  }
-  const int order = data.degree + 1;
-  if (mult.front() != order || mult.back() != order) {
-    fail("The first and the last knot must have multiplicity degree + 1.");
-  }
-  if (std::any_of(mult.begin(), mult.end(), [&](int m) { return m < 1 || m > order; })) {
-    fail("A knot's multiplicity must lie between 1 and degree + 1.");
-  }
-  const auto knots = static_cast<std::size_t>(std::accumulate(mult.begin(), mult.end(), 0));
-  if (knots != data.poles.size() + static_cast<std::size_t>(order)) {
-    fail("The number of knots, counted with multiplicity, must be poles + degree + 1.");
-  }
-}
-
-template <std::size_t Dimension>
 void require_valid(const BSplineData<Dimension>& data) {
   if (data.degree < 1 || data.poles.size() < 2) {
     throw GeometryError(ErrorCode::kWrongShape,
@@ -74,70 +46,7 @@ void require_valid(const BSplineData<Dimension>& data) {
   }
   require_finite(data);
   require_weights(data);
-  require_knots(data);
-}
-
-std::vector<Rational> exact(const std::vector<double>& values) {
-  std::vector<Rational> result;
-  result.reserve(values.size());
-  for (const double value : values) result.push_back(Rational::exactly(value));
-  return result;
-}
-
-/// Weights up to a common power of two, the largest between 1 and 2: only their ratios matter.
-std::vector<Rational> scaled_weights(const std::vector<double>& weights, std::size_t count) {
-  if (weights.empty()) return std::vector<Rational>(count, Rational(1));
-  const int exponent = std::ilogb(*std::max_element(weights.begin(), weights.end()));
-  // Two steps, since 2^-exponent alone may not be a double.
-  const Rational half = Rational::exactly(std::ldexp(1.0, -(exponent / 2)));
-  const Rational rest = Rational::exactly(std::ldexp(1.0, -(exponent - exponent / 2)));
-  std::vector<Rational> result;
-  for (const double weight : weights) result.push_back(Rational::exactly(weight) * half * rest);
-  return result;
-}
-
-/// Every knot as often as its multiplicity says.
-std::vector<Rational> flat_knots(const std::vector<Rational>& knots,
-                                 const std::vector<int>& multiplicities) {
-  std::vector<Rational> flat;
-  for (std::size_t i = 0; i < knots.size(); ++i)
-    flat.insert(flat.end(), multiplicities[i], knots[i]);
-  return flat;
-}
-
-/// The polar form of the B-spline's segment over [flat[last], flat[last + 1]] at `degree`
-/// arguments: de Boor's algorithm with a new argument in every round.
-Rational blossom(const std::vector<Rational>& flat, std::size_t last,
-                 std::vector<Rational> controls, const std::vector<Rational>& arguments) {
-  const std::size_t degree = arguments.size();
-  for (std::size_t round = 0; round < degree; ++round) {
-    for (std::size_t j = degree; j > round; --j) {
-      const Rational& low = flat[last - degree + j];
-      const Rational& high = flat[last + j - round];
-      if (arguments[round] == low) {
-        controls[j] = controls[j - 1];
-      } else if (arguments[round] != high) {
-        const Rational ratio = (arguments[round] - low) / (high - low);
-        controls[j] = controls[j - 1] + ratio * (controls[j] - controls[j - 1]);
-      }
-    }
-  }
-  return controls[degree];
-}
-
-/// The Bezier coefficients of one scalar B-spline on the span that ends the run of knots at `last`.
-RationalPolynomial span_polynomial(const std::vector<Rational>& flat, std::size_t last,
-                                   std::size_t degree, const std::vector<Rational>& coefficients) {
-  const auto begin = coefficients.begin() + static_cast<std::ptrdiff_t>(last - degree);
-  const std::vector<Rational> local(begin, begin + static_cast<std::ptrdiff_t>(degree) + 1);
-  std::vector<Rational> bezier;
-  bezier.reserve(degree + 1);
-  for (std::size_t i = 0; i <= degree; ++i) {
-    std::vector<Rational> arguments(degree, flat[last]);
-    std::fill(arguments.end() - static_cast<std::ptrdiff_t>(i), arguments.end(), flat[last + 1]);
-    bezier.push_back(blossom(flat, last, local, arguments));
-  }
-  return RationalPolynomial(from_bernstein(std::move(bezier)));
+  require_clamped(data.degree, data.knots, data.multiplicities, data.poles.size());
 }
 
 template <std::size_t Dimension>
@@ -167,7 +76,7 @@ PiecewiseRational<Dimension> piecewise(const BSplineData<Dimension>& data) {
   require_valid(data);
   const auto degree = static_cast<std::size_t>(data.degree);
   PiecewiseRational<Dimension> function;
-  function.breaks = exact(data.knots);
+  function.breaks = exactly(data.knots);
   const std::vector<Rational> flat = flat_knots(function.breaks, data.multiplicities);
   const std::vector<Rational> weights = scaled_weights(data.weights, data.poles.size());
   std::array<std::vector<Rational>, Dimension> homogeneous;
@@ -176,10 +85,7 @@ PiecewiseRational<Dimension> piecewise(const BSplineData<Dimension>& data) {
       homogeneous[c].push_back(Rational::exactly(data.poles[i][c]) * weights[i]);
     }
   }
-  std::vector<std::size_t> last = {degree};  // the last of the knots at the start of each span
-  for (std::size_t span = 1; span + 1 < data.knots.size(); ++span) {
-    last.push_back(last.back() + static_cast<std::size_t>(data.multiplicities[span]));
-  }
+  const std::vector<std::size_t> last = span_places(data.multiplicities);
   function.spans.resize(last.size());
   for_each_index(last.size(), [&](std::size_t span) {
     RationalSpan<Dimension>& result = function.spans[span];

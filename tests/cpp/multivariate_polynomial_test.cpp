@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "pn/algebra/bivariate_polynomial.hpp"
+#include "pn/algebra/multivariate_polynomial.hpp"
 
 #include <catch2/catch.hpp>
 #include <stdexcept>
 
 using pn::BivariatePolynomial;
+using pn::MultivariatePolynomial;
 using pn::Rational;
 using pn::RationalPolynomial;
 using pn::Variable;
@@ -22,7 +23,7 @@ const BivariatePolynomial kQ = kU * kV * kV + kU - BivariatePolynomial(kX);
 
 }  // namespace
 
-TEST_CASE("Degrees count each variable, and cancel", "[bivariate_polynomial]") {
+TEST_CASE("Degrees count each variable, and cancel", "[multivariate_polynomial]") {
   CHECK(BivariatePolynomial().degree(Variable::kU) == -1);
   CHECK(BivariatePolynomial(0L).is_zero());
   CHECK(BivariatePolynomial(5L).degree(Variable::kV) == 0);
@@ -33,7 +34,7 @@ TEST_CASE("Degrees count each variable, and cancel", "[bivariate_polynomial]") {
   CHECK((kP - kU * kU * kV).degree(Variable::kU) == 0);
 }
 
-TEST_CASE("Coefficients make the polynomial that they are read from", "[bivariate_polynomial]") {
+TEST_CASE("Coefficients make the polynomial that they are read from", "[multivariate_polynomial]") {
   const BivariatePolynomial p = kP * kQ;
   std::vector<std::vector<Rational>> coefficients(4);
   for (int i = 0; i < 4; ++i) {
@@ -47,7 +48,7 @@ TEST_CASE("Coefficients make the polynomial that they are read from", "[bivariat
   CHECK(kP.coefficient(9, 9).is_zero());
 }
 
-TEST_CASE("Values respect the operations of the ring", "[bivariate_polynomial]") {
+TEST_CASE("Values respect the operations of the ring", "[multivariate_polynomial]") {
   CHECK((kP * kQ)(kX, kY) == kP(kX, kY) * kQ(kX, kY));
   CHECK((kP + kQ)(kX, kY) == kP(kX, kY) + kQ(kX, kY));
   CHECK((kP - kQ)(kX, kY) == kP(kX, kY) - kQ(kX, kY));
@@ -57,7 +58,7 @@ TEST_CASE("Values respect the operations of the ring", "[bivariate_polynomial]")
   CHECK(BivariatePolynomial(p, Variable::kV)(kX, kY) == p(kY));
 }
 
-TEST_CASE("Derivatives obey Leibniz and commute", "[bivariate_polynomial]") {
+TEST_CASE("Derivatives obey Leibniz and commute", "[multivariate_polynomial]") {
   for (const Variable by : {Variable::kU, Variable::kV}) {
     CHECK((kP * kQ).derivative(by) == kP.derivative(by) * kQ + kP * kQ.derivative(by));
   }
@@ -68,13 +69,13 @@ TEST_CASE("Derivatives obey Leibniz and commute", "[bivariate_polynomial]") {
   CHECK(kU.derivative(Variable::kV).is_zero());
 }
 
-TEST_CASE("Composition puts polynomials in place of the variables", "[bivariate_polynomial]") {
+TEST_CASE("Composition puts polynomials in place of the variables", "[multivariate_polynomial]") {
   CHECK(kP.composed(kU, kV) == kP);
   CHECK(kP.composed(kV, kU).coefficient(1, 2) == Rational(1L));
   CHECK(kP.composed(kQ, kU * kV)(kX, kY) == kP(kQ(kX, kY), kX * kY));
 }
 
-TEST_CASE("Common factors are found and divided out", "[bivariate_polynomial]") {
+TEST_CASE("Common factors are found and divided out", "[multivariate_polynomial]") {
   CHECK(gcd(kP * kQ, kP * (kU + kV)) == kP);
   CHECK(gcd(kP, kQ) == BivariatePolynomial(1L));
   CHECK(gcd(BivariatePolynomial(), BivariatePolynomial()).is_zero());
@@ -85,14 +86,42 @@ TEST_CASE("Common factors are found and divided out", "[bivariate_polynomial]") 
   CHECK_THROWS_AS(quotient(kP, BivariatePolynomial()), std::domain_error);
 }
 
-TEST_CASE("Square roots are found where there are some", "[bivariate_polynomial]") {
-  const auto root = square_root(kP * kP);
-  REQUIRE(root);
-  CHECK((*root == kP || *root == -kP));
-  CHECK_FALSE(square_root(kP * kQ));
-  CHECK_FALSE(square_root(BivariatePolynomial(2L) * kP * kP));
-  CHECK_FALSE(square_root(-(kP * kP)));
-  CHECK(square_root(BivariatePolynomial())->is_zero());
-  CHECK(leading_coefficient(BivariatePolynomial(3L) * kU + kV * kV) == Rational(3L));
+TEST_CASE("Squares are known from others", "[multivariate_polynomial]") {
+  const Rational quarter = Rational(1L) / Rational(4L);
+  const auto root = square_root(kP * kP * BivariatePolynomial(quarter));
+  REQUIRE(root.has_value());
+  CHECK(*root * *root == kP * kP * BivariatePolynomial(quarter));
+  CHECK_FALSE(square_root(kP * kQ).has_value());
+  CHECK_FALSE(square_root(kP * kP * BivariatePolynomial(2L)).has_value());
+  CHECK_FALSE(square_root(-(kP * kP)).has_value());
+  CHECK(square_root(BivariatePolynomial()) == BivariatePolynomial());
+}
+
+TEST_CASE("The leading coefficient is the first in the order of the variables",
+          "[multivariate_polynomial]") {
   CHECK(leading_coefficient(BivariatePolynomial()).is_zero());
+  CHECK(leading_coefficient(BivariatePolynomial(3L) * kU - kV * kV * kV) == Rational(3L));
+}
+
+TEST_CASE("Four variables", "[multivariate_polynomial]") {
+  using Polynomial = MultivariatePolynomial<4>;
+  const Polynomial u(Variable::kU), v(Variable::kV), s(Variable::kS), t(Variable::kT);
+  const Polynomial p = u * t - v * s;
+  CHECK(p.coefficient(1, 0, 0, 1) == Rational(1L));
+  CHECK(p.coefficient(0, 1, 1, 0) == Rational(-1L));
+  CHECK(p.derivative(Variable::kS) == -v);
+  CHECK(p(kX, kY, Rational(2L), Rational(5L)) == Rational(5L) * kX - Rational(2L) * kY);
+  CHECK(gcd(p * (u + s), p * (v - t)) == p);
+  CHECK(quotient(p * p, p) == p);
+  CHECK(square_root(p * p * s * s).has_value());
+  // The determinant of (a, b) and (b, a), in the ring of two variables.
+  CHECK(p.composed(kP, kQ, kQ, kP) == kP * kP - kQ * kQ);
+  // A polynomial in u and v as one in s and t.
+  CHECK(kP.composed(s, t).degree(Variable::kS) == 2);
+  CHECK(kP.composed(s, t).derivative(Variable::kU).is_zero());
+}
+
+TEST_CASE("A ring has no more variables than it says", "[multivariate_polynomial]") {
+  CHECK_THROWS_AS(kP.derivative(Variable::kT), std::out_of_range);
+  CHECK_THROWS_AS(MultivariatePolynomial<3>(Variable::kT), std::out_of_range);
 }
