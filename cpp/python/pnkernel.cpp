@@ -15,8 +15,8 @@
 #include "pn/bezier/skin.hpp"
 #include "pn/bezier/spline_skin.hpp"
 #include "pn/bezier/translational_skin.hpp"
-#include "pn/bezier/spline_skin.hpp"
 #include "pn/geometry_error.hpp"
+#include "pn/isotropic/family_type.hpp"
 #include "pn/shapes/canal_surface.hpp"
 #include "pn/shapes/powell_sabin.hpp"
 #include "pn/shapes/quadric.hpp"
@@ -712,6 +712,26 @@ void define_powell_sabin_family(py::module_& module) {
       "triangle.");
 }
 
+void define_classifiers(py::module_& module) {
+  module.def(
+      "classify_family",
+      [](const Array& control_spheres) {
+        const pn::FamilyType type =
+            pn::family_type(pn::quadratic_family(spheres_of(control_spheres)));
+        py::dict result;
+        result["family"] = type.family;
+        result["centres"] = type.centres;
+        result["radius"] = type.radius;
+        result["net"] = type.net ? py::cast(pn::name(*type.net)) : py::none();
+        return result;
+      },
+      py::arg("control_spheres"),
+      "The kind of the family of six spheres (6, 4), with or without a real envelope, decided "
+      "exactly: the affine classes of 'family', 'centres' and 'radius' by their names in D. "
+      "Gruber's table, as '4-2-1', and the type of the 'net' of normal lines at infinity, as "
+      "'hyperbolic S/P', or None when they lie in no net. Raises GeometryError.");
+}
+
 PYBIND11_MODULE(pnkernel, module) {
   module.doc() = "Exact offset surfaces with rational unit normals. Millimetres, NumPy arrays.";
   define_error(module);
@@ -723,4 +743,5 @@ PYBIND11_MODULE(pnkernel, module) {
   define_translational_spheres(module);
   define_powell_sabin_family(module);
   define_surfaces_from_functions(module);
+  define_classifiers(module);
 }

@@ -36,17 +36,9 @@
 
 #include "pn/algebra/rational.hpp"
 #include "pn/algebra/ternary_form.hpp"
+#include "pn/minkowski/minkowski_vector.hpp"
 
 namespace pn {
-
-/// x1, x2, x3, x4 with <x, y> = x1 y1 + x2 y2 + x3 y3 - x4 y4.
-template <class T>
-using MinkowskiVector = std::array<T, 4>;
-
-template <class X, class Y>
-auto minkowski(const MinkowskiVector<X>& x, const MinkowskiVector<Y>& y) {
-  return x[0] * y[0] + x[1] * y[1] + x[2] * y[2] - x[3] * y[3];
-}
 
 class QuadraticFamily {
  public:

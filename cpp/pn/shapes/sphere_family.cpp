@@ -12,15 +12,6 @@ namespace {
 
 using Spheres = std::array<std::array<double, 4>, 6>;
 
-QuadraticFamily family_of(const Spheres& spheres) {
-  QuadraticFamily::Control control;
-  for (std::size_t i = 0; i < 6; ++i) {
-    for (std::size_t c = 0; c < 4; ++c) control[i][c] = Rational::exactly(spheres[i][c]);
-    control[i][3] = -control[i][3];
-  }
-  return QuadraticFamily(std::move(control));
-}
-
 /// All centres lie on one line, or in one point.
 bool are_collinear(const QuadraticFamily::Control& control) {
   const auto from_first = [&](std::size_t i) {
@@ -57,13 +48,21 @@ void check_envelope(const QuadraticFamily& family) {
 
 }  // namespace
 
-SphereFamily sphere_family(const Spheres& control_spheres) {
-  for (const auto& sphere : control_spheres) {
+QuadraticFamily quadratic_family(const Spheres& control_spheres) {
+  QuadraticFamily::Control control;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto& sphere = control_spheres[i];
     if (!std::all_of(sphere.begin(), sphere.end(), [](double x) { return std::isfinite(x); })) {
       throw GeometryError(ErrorCode::kNotFinite, "A sphere has a number that is not finite.");
     }
+    for (std::size_t c = 0; c < 4; ++c) control[i][c] = Rational::exactly(sphere[c]);
+    control[i][3] = -control[i][3];
   }
-  SphereFamily result{family_of(control_spheres), {}};
+  return QuadraticFamily(std::move(control));
+}
+
+SphereFamily sphere_family(const Spheres& control_spheres) {
+  SphereFamily result{quadratic_family(control_spheres), {}};
   if (are_collinear(result.family.control())) {
     throw GeometryError(ErrorCode::kZeroLength,
                         "The centres of the six spheres lie on one line, so they are no "

@@ -19,9 +19,13 @@ struct SphereFamily {
   std::vector<std::string> notes;  ///< sentences for the user
 };
 
-/// The family of six spheres (x, y, z, r) [mm] in the order b200, b110, b020, b101, b011, b002.
-/// Throws GeometryError: not finite, centres in one point or on one line, no real envelope
-/// somewhere, or skins that have no normals of two parameters.
+/// The six spheres (x, y, z, r) [mm] in the order b200, b110, b020, b101, b011, b002 as they are.
+/// Throws GeometryError: not finite.
+QuadraticFamily quadratic_family(const std::array<std::array<double, 4>, 6>& control_spheres);
+
+/// Their family as a mid-surface with a thickness. Throws GeometryError: not finite, centres in one
+/// point or on one line, no real envelope somewhere, or skins that have no normals of two
+/// parameters.
 SphereFamily sphere_family(const std::array<std::array<double, 4>, 6>& control_spheres);
 
 }  // namespace pn
