@@ -17,6 +17,7 @@
 #include "pn/shapes/quadric.hpp"
 #include "pn/shapes/ruled_surface.hpp"
 #include "pn/shapes/sphere_family.hpp"
+#include "rational_family.hpp"
 #include "surfaces_from_functions.hpp"
 
 namespace py = pybind11;
@@ -555,4 +556,5 @@ PYBIND11_MODULE(pnkernel, module) {
   define_surface(module);
   define_sphere_family(module);
   define_surfaces_from_functions(module);
+  define_rational_family(module);
 }

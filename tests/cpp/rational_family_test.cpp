@@ -34,9 +34,9 @@ TEST_CASE("A net with its support functions and the spheres themselves give one 
   const RationalFamily net =
       family_from_net({kOne, kZero, kU, kZero}, {kZero, kOne, kZero, kV}, square_of_u, square_of_v);
   // f1 + u f3 = u^2/4 and f2 - v f4 = v^2/2, with the derivatives f3 = u/2 and -f4 = v.
-  const Coefficients half_u = {{0}, {0.5}}, minus_v = {{0, -1}}, f1 = {{0}, {0}, {-0.25}},
+  const Coefficients half_u = {{0}, {0.5}}, radius = kV, f1 = {{0}, {0}, {-0.25}},
                      f2 = {{0, 0, -0.5}};
-  const RationalFamily surface = family_from_surface({f1, f2, half_u, minus_v}, kOne);
+  const RationalFamily surface = family_from_surface({f1, f2, half_u, radius}, kOne);
   CHECK(net.spheres == surface.spheres);
   CHECK(net.is_over_normals());
   for (std::size_t i = 0; i < 2; ++i) {
@@ -50,7 +50,7 @@ TEST_CASE("Spheres have one weight, and rational normals keep their parameters",
   const Coefficients weight = {{2, 0, 1}};
   const RationalFamily family = family_from_surface({kU, kV, kUV, kUV}, weight);
   const BivariateFunction w = BivariateFunction(2L) + v * v;
-  CHECK(family.spheres == SphereSurface{u / w, v / w, u * v / w, u * v / w});
+  CHECK(family.spheres == SphereSurface{u / w, v / w, u * v / w, -(u * v) / w});
   CHECK_FALSE(family.is_over_normals());
 }
 

@@ -39,6 +39,7 @@ RationalFamily family_from_surface(const std::array<Coefficients, 4>& spheres,
   const BivariatePolynomial w = polynomial(weight);
   if (w.is_zero()) throw GeometryError(ErrorCode::kNonPositiveWeight, "The weight is zero.");
   SphereSurface f = vector_of(spheres);
+  f[3] = -f[3];
   for (BivariateFunction& x : f) x /= w;
   return family_of(f);
 }

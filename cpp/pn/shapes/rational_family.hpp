@@ -24,13 +24,14 @@ struct RationalFamily {
   bool is_over_normals() const { return envelope.spheres != spheres; }
 };
 
-/// The spheres with centre (x1, x2, x3) / weight [mm] and signed radius -x4 / weight [mm]. Throws
-/// GeometryError: kNotFinite, kZeroLength, kNotRational.
+/// The spheres with centre (x, y, z) / weight and radius r / weight [mm], as f = (m, -r): where r >
+/// 0 the normals of the skins point away from the centres. Throws GeometryError: kNotFinite,
+/// kNonPositiveWeight, kZeroLength, kNotRational.
 RationalFamily family_from_surface(const std::array<Coefficients, 4>& spheres,
                                    const Coefficients& weight);
 
-/// The spheres f with <c, f> = a, <d, f> = b and the derivatives of these. Throws GeometryError:
-/// kNotFinite, kZeroLength, kNotRational.
+/// The spheres f = (m, -r) with <c, f> = a, <d, f> = b and the derivatives of these. Throws
+/// GeometryError: kNotFinite, kZeroLength, kNotRational.
 RationalFamily family_from_net(const std::array<Coefficients, 4>& c,
                                const std::array<Coefficients, 4>& d, const Coefficients& a,
                                const Coefficients& b);
