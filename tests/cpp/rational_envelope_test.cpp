@@ -125,3 +125,12 @@ TEST_CASE("A family that is not rational is refused as that", "[rational_envelop
     CHECK(std::string(error.what()).find("not rational") != std::string::npos);
   }
 }
+
+TEST_CASE("Centres on a curve are refused as that", "[rational_envelope]") {
+  try {
+    rational_envelope({u, u * u, u, v});
+    FAIL("not refused");
+  } catch (const GeometryError& error) {
+    CHECK(error.code() == ErrorCode::kZeroLength);
+  }
+}

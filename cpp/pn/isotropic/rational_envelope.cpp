@@ -39,6 +39,11 @@ OrientedSurface other_sheet(const OrientedSurface& sheet, const SphereSurface& f
 }
 
 RationalEnvelope rational_envelope(const SphereSurface& f) {
+  const Vector normal = normal_of_centres(f);
+  if (dot(normal, normal).is_zero()) {
+    throw GeometryError(ErrorCode::kZeroLength,
+                        "The centres of the spheres lie on a curve, so they are no mid-surface.");
+  }
   if (mos_root(f)) return {f, envelope_sheets(f)};
   const IsotropicField w = stereographic_field();
   const auto found = reparametrizations(f, w);
