@@ -66,6 +66,8 @@ class RationalFunction {
   Polynomial numerator_, denominator_;
 };
 
+using BivariateFunction = RationalFunction<2>;
+
 /// A function whose square is f, or nothing when f is no square over Q.
 template <std::size_t N>
 std::optional<RationalFunction<N>> square_root(const RationalFunction<N>& f);

@@ -44,8 +44,6 @@
 
 namespace pn {
 
-using BivariateFunction = RationalFunction<2>;
-
 /// A surface and its unit normal.
 struct OrientedSurface {
   std::array<BivariateFunction, 3> point, normal;
