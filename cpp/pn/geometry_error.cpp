@@ -49,6 +49,10 @@ std::string to_string(ErrorCode code) {
       return "identical_curves";
     case ErrorCode::kCurvesMeet:
       return "curves_meet";
+    case ErrorCode::kSingularConics:
+      return "singular_conics";
+    case ErrorCode::kNoRealPoints:
+      return "no_real_points";
     case ErrorCode::kPrecisionExhausted:
       return "precision_exhausted";
   }

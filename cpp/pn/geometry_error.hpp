@@ -31,6 +31,8 @@ enum class ErrorCode {
   kNotRational,         ///< the offset is known not to be rational
   kIdenticalCurves,     ///< both curves of a ruled surface are one
   kCurvesMeet,          ///< a ruling has no length
+  kSingularConics,      ///< all conics of a family are pairs of lines
+  kNoRealPoints,        ///< a conic of a family has no real points
   kPrecisionExhausted,  ///< something could not be proved at the highest precision
 };
 
