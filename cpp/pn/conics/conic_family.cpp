@@ -2,6 +2,8 @@
 #include "pn/conics/conic_family.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <string>
 
 #include "pn/algebra/roots.hpp"
 #include "pn/geometry_error.hpp"
@@ -51,6 +53,12 @@ OpenInterval interval_around(const Rational& t, const std::vector<RealRoot>& roo
     if (!below && !interval.end) interval.end = root.value.midpoint();
   }
   return interval;
+}
+
+std::string shown(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
 }
 
 std::optional<OpenInterval> without_real_points(const ConicFamily& family, const Polynomial& det,
@@ -162,6 +170,16 @@ std::optional<OpenInterval> interval_without_real_points(const ConicFamily& fami
 std::optional<OpenInterval> interval_without_real_points(const ConicFamily& family) {
   const Polynomial det = determinant(family.matrix);
   return without_real_points(family, det, numbers_between_real_roots(det));
+}
+
+void refuse_without_real_points(const OpenInterval& interval) {
+  const std::string where =
+      interval.begin && interval.end
+          ? "between t = " + shown(*interval.begin) + " and " + shown(*interval.end)
+      : interval.begin ? "for t > " + shown(*interval.begin)
+      : interval.end   ? "for t < " + shown(*interval.end)
+                       : std::string("for all t");
+  throw GeometryError(ErrorCode::kNoRealPoints, "The conics have no real points " + where + ".");
 }
 
 }  // namespace pn

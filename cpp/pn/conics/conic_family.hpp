@@ -79,4 +79,7 @@ std::optional<OpenInterval> interval_without_real_points(const ConicFamily& fami
 /// The same on the whole line.
 std::optional<OpenInterval> interval_without_real_points(const ConicFamily& family);
 
+/// Throws GeometryError kNoRealPoints with a sentence that names the interval.
+[[noreturn]] void refuse_without_real_points(const OpenInterval& interval);
+
 }  // namespace pn

@@ -2,35 +2,16 @@
 #include "pn/conics/rational_conic_family.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <random>
-#include <string>
 
 #include "pn/algebra/precision.hpp"
 #include "pn/conics/conic_normal_form.hpp"
 #include "pn/conics/nappe_transport.hpp"
-#include "pn/geometry_error.hpp"
 
 namespace pn {
 namespace {
 
 using Polynomial = RationalPolynomial;
-
-std::string shown(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
-
-void throw_without_real_points(const OpenInterval& interval) {
-  const std::string where =
-      interval.begin && interval.end
-          ? "between t = " + shown(*interval.begin) + " and " + shown(*interval.end)
-      : interval.begin ? "for t > " + shown(*interval.begin)
-      : interval.end   ? "for t < " + shown(*interval.end)
-                       : std::string("for all t");
-  throw GeometryError(ErrorCode::kNoRealPoints, "The conics have no real points " + where + ".");
-}
 
 /// The columns of a lattice, by degree.
 Vector3<std::size_t> ascending(const Vector3<int>& degree) {
@@ -151,7 +132,7 @@ DecidedChoice best_line_choice(const RationalSteps& steps, const LineConditions&
 
 RationalConicFamily::RationalConicFamily(const ConicFamily& family) {
   if (const auto interval = interval_without_real_points(family)) {
-    throw_without_real_points(*interval);
+    refuse_without_real_points(*interval);
   }
   const SingularConics singular = singular_conics(family);
   least_degree_ = pn::least_degree(family, singular);
