@@ -55,6 +55,10 @@ std::string to_string(ErrorCode code) {
       return "grazing_light";
     case ErrorCode::kLightOnMirror:
       return "light_on_mirror";
+    case ErrorCode::kSingularConics:
+      return "singular_conics";
+    case ErrorCode::kNoRealPoints:
+      return "no_real_points";
     case ErrorCode::kPrecisionExhausted:
       return "precision_exhausted";
   }

@@ -34,6 +34,8 @@ enum class ErrorCode {
   kCurvesMeet,          ///< a ruling has no length
   kGrazingLight,        ///< light runs along a mirror everywhere
   kLightOnMirror,       ///< a light source is on the mirror
+  kSingularConics,      ///< all conics of a family are pairs of lines
+  kNoRealPoints,        ///< a conic of a family has no real points
   kPrecisionExhausted,  ///< something could not be proved at the highest precision
 };
 

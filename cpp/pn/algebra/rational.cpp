@@ -37,6 +37,12 @@ Rational& Rational::operator/=(const Rational& other) {
   return *this;
 }
 
+Rational gcd(const Rational& a, const Rational& b) {
+  Rational result;
+  fmpq_gcd(result.flint(), a.flint(), b.flint());
+  return result;
+}
+
 Rational common_denominator(const Rational& a, const Rational& b) {
   Rational result;
   fmpz_lcm(fmpq_numref(result.flint()), fmpq_denref(a.flint()), fmpq_denref(b.flint()));

@@ -72,6 +72,9 @@ class Rational {
   fmpq_t value_;
 };
 
+/// The positive rational number of which a and b are coprime integer multiples; zero when both are.
+Rational gcd(const Rational& a, const Rational& b);
+
 /// The least positive integer n for which n a and n b are integers.
 Rational common_denominator(const Rational& a, const Rational& b);
 

@@ -4,6 +4,7 @@
 #include <flint/fmpz_poly.h>
 #include <flint/fmpz_poly_factor.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace pn {
@@ -117,6 +118,40 @@ std::vector<SquarefreeFactor> squarefree_factorization(const RationalPolynomial&
   fmpz_poly_factor_clear(factorization);
   fmpz_poly_clear(integral);
   return factors;
+}
+
+std::vector<RationalPolynomial> irreducible_factors(const RationalPolynomial& squarefree) {
+  if (squarefree.degree() < 1) return {};
+  fmpz_poly_t integral;
+  fmpz_poly_init(integral);
+  fmpq_poly_get_numerator(integral, squarefree.flint());
+  fmpz_poly_factor_t factors;
+  fmpz_poly_factor_init(factors);
+  fmpz_poly_factor(factors, integral);
+  std::vector<RationalPolynomial> result;
+  for (slong i = 0; i < factors->num; ++i) {
+    RationalPolynomial factor;
+    fmpq_poly_set_fmpz_poly(factor.flint(), factors->p + i);
+    fmpq_poly_make_monic(factor.flint(), factor.flint());
+    result.push_back(std::move(factor));
+  }
+  fmpz_poly_factor_clear(factors);
+  fmpz_poly_clear(integral);
+  std::stable_sort(result.begin(), result.end(),
+                   [](const auto& a, const auto& b) { return a.degree() < b.degree(); });
+  return result;
+}
+
+Rational content(const RationalPolynomial& p) {
+  Rational result;
+  fmpq_poly_content(result.flint(), p.flint());
+  return result;
+}
+
+RationalPolynomial power_of_t(int exponent) {
+  RationalPolynomial result;
+  fmpq_poly_set_coeff_si(result.flint(), exponent, 1);
+  return result;
 }
 
 std::vector<Rational> coefficients(const RationalPolynomial& p, int degree) {

@@ -96,6 +96,16 @@ struct SquarefreeFactor {
 /// constant.
 std::vector<SquarefreeFactor> squarefree_factorization(const RationalPolynomial& p);
 
+/// The monic irreducible factors over Q of a squarefree polynomial, by degree.
+std::vector<RationalPolynomial> irreducible_factors(const RationalPolynomial& squarefree);
+
+/// The positive rational number by which the coefficients are coprime integers times it; zero for
+/// the zero polynomial.
+Rational content(const RationalPolynomial& p);
+
+/// t^exponent.
+RationalPolynomial power_of_t(int exponent);
+
 /// Coefficients 0 .. degree in ascending order; degree >= p.degree().
 std::vector<Rational> coefficients(const RationalPolynomial& p, int degree);
 

@@ -176,6 +176,20 @@ std::vector<int> bernstein_signs(const RationalPolynomial& p) {
   return signs;
 }
 
+/// A number between two balls that do not overlap; nothing when they do.
+std::optional<Rational> number_between(const RealBall& low, const RealBall& high) {
+  const RealBall gap = high - low;
+  if (!gap.is_positive()) return std::nullopt;
+  arf_t middle;
+  arf_init(middle);
+  arf_add(middle, arb_midref(low.arb()), arb_midref(high.arb()), ARF_PREC_EXACT, ARF_RND_DOWN);
+  arf_mul_2exp_si(middle, middle, -1);
+  Rational result;
+  arf_get_fmpq(result.flint(), middle);
+  arf_clear(middle);
+  return result;
+}
+
 /// +1, -1 for a root certainly above, below x; 0 when its ball contains x.
 int side_of(const RealBall& root, long x) {
   const RealBall difference = root - RealBall(x);
@@ -206,6 +220,26 @@ RootSet isolate_roots(const RationalPolynomial& p, long precision) {
     return a.value.midpoint() < b.value.midpoint();
   });
   return roots;
+}
+
+std::vector<Rational> numbers_between_real_roots(const RationalPolynomial& p) {
+  RationalPolynomial squarefree(1L);
+  for (const SquarefreeFactor& part : squarefree_factorization(p)) squarefree *= part.factor;
+  // Different roots, so some precision separates them with room to spare.
+  for (long precision = 128;; precision *= 2) {
+    const std::vector<RealRoot> roots = isolate_roots(squarefree, precision).real;
+    if (roots.empty()) return {Rational(0)};
+    std::vector<Rational> between = {Rational::exactly(roots.front().value.lower()) - Rational(1)};
+    bool separated = true;
+    for (std::size_t i = 1; i < roots.size() && separated; ++i) {
+      const auto middle = number_between(roots[i - 1].value, roots[i].value);
+      separated = middle.has_value();
+      if (separated) between.push_back(*middle);
+    }
+    if (!separated) continue;
+    between.push_back(Rational::exactly(roots.back().value.upper()) + Rational(1));
+    return between;
+  }
 }
 
 std::vector<RealRoot> roots_in_unit_interval(const RationalPolynomial& p, long least_precision) {

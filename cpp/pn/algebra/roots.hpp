@@ -44,6 +44,10 @@ struct RootSet {
 /// All complex roots of p, which is not zero, in balls of about this precision in bits.
 RootSet isolate_roots(const RationalPolynomial& p, long precision);
 
+/// One rational number in each of the open intervals that the real roots of p, which is not zero,
+/// leave on the line; ascending.
+std::vector<Rational> numbers_between_real_roots(const RationalPolynomial& p);
+
 /// The real roots of p in the closed interval [0, 1], decided exactly, those at its ends first and
 /// exact; in balls of at least this precision.
 std::vector<RealRoot> roots_in_unit_interval(const RationalPolynomial& p, long precision = 128);

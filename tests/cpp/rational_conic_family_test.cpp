@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// PN_TEST_SCALE multiplies the number of random families.
+#include "pn/conics/rational_conic_family.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "conic_families.hpp"
+#include "enclosures.hpp"
+#include "error_code.hpp"
+#include "pn/algebra/precision.hpp"
+#include "pn/geometry_error.hpp"
+#include "surface_concept.hpp"
+
+using namespace pn;
+using namespace pn::test;
+
+namespace {
+
+template <class T>
+Form<T> form_over(const RationalPolynomial& p, int degree);
+template <>
+Form<Rational> form_over(const RationalPolynomial& p, int degree) {
+  return Form<Rational>(coefficients(p, degree));
+}
+template <>
+Form<RealBall> form_over(const RationalPolynomial& p, int degree) {
+  std::vector<RealBall> balls;
+  for (const Rational& c : coefficients(p, degree)) balls.emplace_back(c, 1024);
+  return Form<RealBall>(std::move(balls));
+}
+
+/// The five coefficients in u of x^T C x; x has degree n - f.
+template <class T>
+std::vector<Form<T>> identity(const ConicFamily& family, const Matrix3<Form<T>>& points) {
+  std::vector<Form<T>> sum(5);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const int degree = family.degree[i] + family.degree[j] + family.twist;
+      if (family.matrix[i][j].is_zero()) continue;
+      const auto c = form_over<T>(family.matrix[i][j], degree);
+      for (std::size_t p = 0; p < 3; ++p) {
+        for (std::size_t q = 0; q < 3; ++q) sum[p + q] += points[i][p] * c * points[j][q];
+      }
+    }
+  }
+  return sum;
+}
+
+double largest_coefficient(const Matrix3<Form<RealBall>>& points) {
+  double largest = 0;
+  for (const auto& row : points) {
+    for (const auto& entry : row) {
+      for (const RealBall& c : entry.coefficients()) {
+        if (!c.is_finite()) throw Undecided("a coefficient");
+        largest = std::max(largest, c.magnitude_upper());
+      }
+    }
+  }
+  return largest;
+}
+
+/// The points at a precision that encloses them and the identity narrowly.
+QuadraticPoints narrow_points(const ConicFamily& family, const RationalConicFamily& conics) {
+  return at_sufficient_precision([&](long bits) {
+    const QuadraticPoints points = conics.points(bits);
+    const double size = largest_coefficient(points.coordinate);
+    for (const auto& form : identity(family, points.coordinate)) {
+      for (const RealBall& c : form.coefficients()) {
+        if (c.magnitude_upper() > kNarrow * size * size) throw Undecided("the identity");
+      }
+    }
+    return points;
+  });
+}
+
+void check_identity(const ConicFamily& family, const RationalConicFamily& conics) {
+  const QuadraticPoints points = narrow_points(family, conics);
+  CHECK(points.degree == conics.degree());
+  const double size = largest_coefficient(points.coordinate);
+  REQUIRE(size > 0);
+  for (const auto& form : identity(family, points.coordinate)) {
+    for (const RealBall& c : form.coefficients()) {
+      CHECK(encloses_zero(c, kNarrow * size * size));
+    }
+  }
+  // The three columns are independent where the conic is regular, so u runs through all of it.
+  const auto value = [&](std::size_t i, std::size_t k) {
+    return points.coordinate[i][k](RealBall(17));
+  };
+  RealBall det;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
+    det += value(i, 0) * (value(a, 1) * value(b, 2) - value(b, 1) * value(a, 2));
+  }
+  if (!determinant(family.matrix)(Rational(17)).is_zero()) CHECK_FALSE(det.contains_zero());
+  if (conics.rational_points()) {
+    for (const auto& form : identity(family, *conics.rational_points())) {
+      for (const Rational& c : form.coefficients()) CHECK(c.is_zero());
+    }
+  }
+}
+
+RationalConicFamily checked(const Conic& matrix) {
+  const ConicFamily family = conic_family(matrix);
+  RationalConicFamily conics(family);
+  CHECK(conics.degree() >= conics.least_degree());
+  check_identity(family, conics);
+  return conics;
+}
+
+RationalPolynomial poly(const std::vector<long>& c) { return conic_polynomial(c); }
+
+}  // namespace
+
+TEST_CASE("The families of the paper have the degree of the theorem", "[rational_conic_family]") {
+  const auto degree = [](const Conic& c) { return checked(c).degree(); };
+  CHECK(degree(diagonal(poly({1, 0, 1}), poly({1}), poly({-1, 0, -2}))) == 2);
+  CHECK(degree(diagonal(poly({1, 0, 1}), poly({4, 0, 1}), poly({0, 0, -5, 0, -2}))) == 3);
+  CHECK(degree(diagonal(poly({1, 0, 1}), poly({4, 0, 1}), poly({-5, 0, -2}))) == 2);
+  CHECK(degree(diagonal(poly({1}), poly({-1, 0, -1}), poly({-1, 0, -2, 0, -5}))) == 4);
+  CHECK(degree(diagonal(poly({1, 0, 3, 0, 3, 0, 1}), poly({4, 0, 5, 0, 1}), poly({-5, 0, -2}))) ==
+        6);
+}
+
+TEST_CASE("Y^2 + c^2 W^2 - 2 f W P with real zeros of f has degree 2 h and is rational",
+          "[rational_conic_family]") {
+  RationalPolynomial f(1L), c(7L);
+  for (int h = 1; h <= 5; ++h) {
+    INFO("h = " << h);
+    f *= poly({-h, 1});
+    c *= poly({1, 1});
+    const RationalPolynomial zero;
+    const ConicFamily family =
+        conic_family({{{1L, zero, zero}, {zero, c * c, -f}, {zero, -f, zero}}}, {0, h, 0});
+    const RationalConicFamily conics(family);
+    check_identity(family, conics);
+    CHECK(conics.least_degree() == h);
+    CHECK(conics.degree() == 2 * h);
+    CHECK(conics.rational_points().has_value());
+  }
+}
+
+TEST_CASE("Squarefree diagonal families: degree of the ansatz, or one more with odd parity",
+          "[rational_conic_family]") {
+  RandomConics random(1);
+  for (int l = 1; l <= 3; ++l) {
+    for (int repeat = 0; repeat < 4; ++repeat) {
+      const auto conics =
+          checked(diagonal(random.positive(l), random.positive(l), -random.positive(l)));
+      CHECK(conics.degree() == 2 * l);
+    }
+  }
+}
+
+TEST_CASE("Random families with planted zeros: points on the conics, of least degree",
+          "[rational_conic_family]") {
+  int solved = 0, rational = 0, odd = 0;
+  const int count = static_cast<int>(200 * number_from_environment("PN_TEST_SCALE", 1));
+  for (int seed = 0; seed < count; ++seed) {
+    const NamedConic conic = RandomConics(static_cast<std::uint64_t>(seed)).next();
+    INFO(conic.kind << ", seed " << seed);
+    try {
+      const RationalConicFamily conics = checked(conic.matrix);
+      ++solved;
+      if (conics.rational_points()) {
+        ++rational;
+      } else {
+        CHECK(conics.degree() <= conics.least_degree() + 1);
+        odd += conics.degree() - conics.least_degree();
+      }
+    } catch (const GeometryError& error) {
+      CHECK(
+          (error.code() == ErrorCode::kNoRealPoints || error.code() == ErrorCode::kSingularConics));
+    }
+  }
+  INFO(solved << " solved, " << rational << " over Q, " << odd << " of odd parity");
+  CHECK(solved > count / 3);
+  CHECK(rational > 0);
+  CHECK(odd > 0);
+}
+
+TEST_CASE("Conics without real points are found exactly and the interval is named",
+          "[rational_conic_family]") {
+  const auto code = [](const Conic& c) {
+    return code_of([&] { RationalConicFamily(conic_family(c)); });
+  };
+  CHECK(code(diagonal(1L, poly({0, 1}), 1L)) == ErrorCode::kNoRealPoints);
+  CHECK(code(diagonal(1L, 1L, poly({1, 0, 1}))) == ErrorCode::kNoRealPoints);
+  CHECK(code(diagonal(1L, 1L, poly({0, -1}))) == ErrorCode::kNoRealPoints);
+  CHECK_THROWS_WITH(RationalConicFamily(conic_family(diagonal(1L, 1L, poly({-2, 0, 1})))),
+                    Catch::Contains("for t < -1.41421"));
+}
