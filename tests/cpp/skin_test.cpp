@@ -4,8 +4,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "minkowski_cases.hpp"
 #include "pn/bezier/evaluation.hpp"
 #include "pn/bezier/pn_surface.hpp"
+#include "pn/isotropic/family_type.hpp"
+#include "pn/shapes/sphere_family.hpp"
 #include "random_sphere_families.hpp"
 
 using namespace pn;
@@ -30,6 +33,27 @@ TEST_CASE("A skin is a PN surface of degree ten, in one face", "[skin]") {
     CHECK(certificate.bidegree == std::array{10, 10});
     REQUIRE(surface.faces(Lines::kEven).size() == 1);
     CHECK_FALSE(surface.self_intersection());
+  }
+}
+
+TEST_CASE("Skins of all thirteen types of nets have their least degree and positive weights",
+          "[skin][minkowski]") {
+  const auto& plates = minkowski_cases()["plates"];
+  CHECK(plates.size() == 13);
+  for (const auto& [net, spheres] : plates.items()) {
+    INFO(net);
+    const QuadraticFamily family = quadratic_family(spheres.get<ControlSpheres>());
+    CHECK(name(family_type(family).net.value()) == net);
+    // Families of parabolic nets are ruled, and their sections have a common factor that is
+    // negative on one sheet.
+    const int degree = net.rfind("parabolic", 0) == 0 ? 8 : 10;
+    for (const Sheet sheet : {Sheet::kOuter, Sheet::kInner}) {
+      const PNSurface surface = skin(family, sheet);
+      CHECK(surface.degree() == std::array{degree, degree});
+      for (const auto& face : surface.faces(Lines::kEven)) {
+        for (const double weight : face.weights) CHECK(weight > 0);
+      }
+    }
   }
 }
 

@@ -50,6 +50,8 @@ SurfaceSections<Rational> without_common_factor(SurfaceSections<Rational> sectio
   if (is_constant(common)) return sections;
   common = single * single;
   for (const auto& p : sections.point) common = gcd(common, in_ring(p));
+  const Rational middle = Rational(1L) / Rational(2L);
+  if (common(middle, middle).sign() < 0) common = -common;
   for (std::size_t i = 0; i < 3; ++i) {
     sections.point[i] = divided(sections.point[i], common);
     sections.direction[i] = divided(sections.direction[i], common);

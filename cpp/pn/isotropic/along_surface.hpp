@@ -110,7 +110,9 @@ SurfaceSections<Rational> scaled_sections(const IntegerPowerForm& f,
                                           const IsotropicPolynomials<Rational>& w,
                                           const Contact<Rational>& contact);
 
-/// The sections over a contact with this e, without the common factor of all polynomials.
+/// The sections over a contact with this e, without the common factor of all polynomials. The
+/// factor is e^2 or a part of it, which may change its sign; the weight stays positive in the
+/// middle of the unit square of s and t.
 SurfaceSections<Rational> without_common_factor(SurfaceSections<Rational> sections,
                                                 const TensorPolynomial<Rational>& e);
 
