@@ -147,6 +147,20 @@ def read_back(entry):
     return f"{entry['read_faces']:.0f} of {entry['faces']:.0f}, {entry['read_deviation']:.1e}"
 
 
+def net_types(entries):
+    """Both skins of a family of each type of nets."""
+    rows = [
+        [
+            entry["label"],
+            cell(entry, "{:.1f}", milliseconds),
+            cell(entry, "{0[0]:.0f} x {0[1]:.0f}", lambda e: (e["degree_u"], e["degree_v"])),
+            cell(entry, "{:.0f}", lambda e: e["poles"]),
+        ]
+        for entry in below(entries, "net_type").values()
+    ]
+    print_table("Both skins of six spheres, by type of net", ["", "ms", "degree", "poles"], rows)
+
+
 def side_by_side_row(entry, exact):
     """One way to a shape; what only a shape has is missing for bare poles."""
     if failed(entry):
@@ -202,6 +216,7 @@ def main(path):
     many_spans(entries, "many_spans", "Canal surface along a cubic C2 B-spline")
     many_spans(entries, "many_ruled_spans", "Offset of a ruled surface between cubic C2 B-splines")
     offset_steps(entries)
+    net_types(entries)
     side_by_side(below(entries, "case_c1"), "Case C1: constant radius along a cubic")
     side_by_side(below(entries, "case_c2"), "Case C2: cubic radius along a cubic")
     for case in cases(entries, "offset_case"):
