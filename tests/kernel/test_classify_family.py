@@ -21,7 +21,8 @@ def control_spheres(family, corners):
     at = [np.array(formula(*corner), dtype=float) for corner in corners]
 
     def middle(i, j):
-        return 2 * np.array(formula(*(corners[i] + corners[j]) / 2), dtype=float) - (at[i] + at[j]) / 2
+        halfway = np.array(formula(*(corners[i] + corners[j]) / 2), dtype=float)
+        return 2 * halfway - (at[i] + at[j]) / 2
 
     return np.array([at[0], middle(0, 1), at[1], middle(0, 2), middle(1, 2), at[2]])
 

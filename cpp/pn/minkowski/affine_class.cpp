@@ -142,8 +142,10 @@ std::string with_two_quadratic_forms(const Decomposition& v) {
   if (sign < 0) return "3-2-3";
   const LinearForm& m = v.linear.front();
   if (!value(squares, m).is_zero()) return "3-2-" + type + "a";
+  // The table calls (u^2, v^2, u) b and (u^2, u v, u) c.
   const bool removable = value(cubic, m).is_zero();
-  return "3-2-" + type + (removable == (sign > 0) ? "b" : "c");
+  if (sign > 0) return removable ? "3-2-1b" : "3-2-1c";
+  return removable ? "3-2-2c" : "3-2-2b";
 }
 
 std::string with_all_quadratic_forms(const Decomposition& v) {
