@@ -114,4 +114,14 @@ EXAMPLES = (
         ),
         ("Dome",), (), 15, -28,
     ),
+    Example(
+        "mirror_dish",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Mirror with its wavefronts"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces",
+            "A dish that light falls on obliquely, and the wavefronts on their way to the focus:"
+            " exact offsets of each other.",
+        ),
+        ("Near", "Middle", "Far"), (), 30, 20,
+    ),
 )

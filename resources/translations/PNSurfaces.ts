@@ -32,6 +32,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Direction of parallel light</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Edges of the curve where the rulings end</source>
             <translation type="unfinished" />
         </message>
@@ -184,6 +188,14 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>The light source, or a point of the plane where parallel light starts</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The mirror: a face, taken as its whole rectangle of parameters</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>The quadric on which the face lies</source>
             <translation type="unfinished" />
         </message>
@@ -241,6 +253,10 @@
         </message>
         <message>
             <source>Whether only rounding to doubles deviates</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Whether the light is parallel or comes from a point</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -418,6 +434,45 @@
         </message>
     </context>
     <context>
+        <name>MirrorWavefront</name>
+        <message>
+            <source>Direction</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Light</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Mirror</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Origin</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Takes a face as the mirror, a straight edge as the direction, or a vertex as the origin</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The direction in which parallel light runs</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The face that reflects</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The light source, or a point of the plane where parallel light starts</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Use selection</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
         <name>Offset</name>
         <message>
             <source>Caps</source>
@@ -464,6 +519,10 @@
         </message>
         <message>
             <source>A dish of elliptic outline: an elliptic paraboloid and its shell of even thickness.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>A dish that light falls on obliquely, and the wavefronts on their way to the focus: exact offsets of each other.</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -591,6 +650,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>From a point</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Gauss curvature, 1/mm²</source>
             <translation type="unfinished" />
         </message>
@@ -632,6 +695,14 @@
         </message>
         <message>
             <source>Mid-surface skins</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Mirror wavefront</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Mirror with its wavefronts</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -684,6 +755,10 @@
         </message>
         <message>
             <source>Parabolic cylinder</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Parallel</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -747,7 +822,15 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Select one face, one straight edge or one vertex.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Select one face.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Select the mirror first: one face.</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -840,6 +923,10 @@
         </message>
         <message>
             <source>Yes</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>degree {} x {}</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -1049,6 +1136,17 @@
         </message>
         <message>
             <source>Mid-Surface Skins…</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>PNSurfaces_MirrorWavefront</name>
+        <message>
+            <source>Creates the exact wavefront of parallel light, or of light from a point, behind a mirror</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Mirror Wavefront…</source>
             <translation type="unfinished" />
         </message>
     </context>
