@@ -17,7 +17,7 @@
 #include "pn/shapes/quadric.hpp"
 #include "pn/shapes/ruled_surface.hpp"
 #include "pn/shapes/sphere_family.hpp"
-#include "rational_family.hpp"
+#include "rational_envelope.hpp"
 #include "surfaces_from_functions.hpp"
 
 namespace py = pybind11;
@@ -556,5 +556,5 @@ PYBIND11_MODULE(pnkernel, module) {
   define_surface(module);
   define_sphere_family(module);
   define_surfaces_from_functions(module);
-  define_rational_family(module);
+  define_rational_envelope(module);
 }

@@ -20,6 +20,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "pn/isotropic/from_planes.hpp"
 #include "pn/isotropic/reparametrization.hpp"
@@ -30,6 +31,8 @@ namespace pn {
 struct RationalEnvelope {
   SphereSurface spheres;
   std::array<OrientedSurface, 2> sheets;
+  /// What was put into f, if the parameters are not its own but those of the normals.
+  std::optional<Reparametrization> contact;
 };
 
 /// The second sheet of f from the first, or the first from the second.
