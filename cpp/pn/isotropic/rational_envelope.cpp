@@ -47,6 +47,11 @@ RationalEnvelope rational_envelope(const SphereSurface& f) {
   if (mos_root(f)) return {f, envelope_sheets(f), std::nullopt};
   const IsotropicField w = stereographic_field();
   const auto found = reparametrizations(f, w);
+  if (found.empty() && has_developable_sheets(f)) {
+    throw GeometryError(ErrorCode::kDevelopable,
+                        "The normals of the skins depend on one parameter only: the skins are "
+                        "developable, and no surfaces over their normals.");
+  }
   if (found.empty()) {
     throw GeometryError(ErrorCode::kNotRational,
                         "The family is not rational: its normals are no rational functions of its "

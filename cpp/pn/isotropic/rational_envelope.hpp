@@ -39,8 +39,8 @@ struct RationalEnvelope {
 OrientedSurface other_sheet(const OrientedSurface& sheet, const SphereSurface& f);
 
 /// Over the parameters of f if it is a MOS surface, else over its stereographic normals. Throws
-/// GeometryError: kZeroLength when the spheres or their centres are a curve, kNotRational when
-/// neither way is rational.
+/// GeometryError: kZeroLength when the spheres or their centres are a curve, kDevelopable when the
+/// sheets are, kNotRational when neither way is rational.
 RationalEnvelope rational_envelope(const SphereSurface& f);
 
 }  // namespace pn
