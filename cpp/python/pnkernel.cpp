@@ -402,6 +402,8 @@ void define_surface(py::module_& module) {
       .def("offset", &pn::PNSurface::offset, py::arg("d"),
            "The surface at distance + d, in mm, on the side of the normal for d > 0. Cheap.")
       .def_property_readonly("distance", &pn::PNSurface::distance)
+      .def_property_readonly("has_offsets", &pn::PNSurface::has_offsets,
+                             "Surfaces at other distances than zero are rational.")
       .def_property_readonly(
           "degree", [](const pn::PNSurface& s) { return tuple_of(s.degree()); },
           "(degree along, degree around) of what the algebra delivers.")

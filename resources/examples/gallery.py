@@ -104,4 +104,14 @@ EXAMPLES = (
         ),
         ("Body",), ("Body",), 20, 40,
     ),
+    Example(
+        "mirror_dish",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Mirror with its wavefronts"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces",
+            "A dish that light falls on obliquely, and the wavefronts on their way to the focus:"
+            " exact offsets of each other.",
+        ),
+        ("Near", "Middle", "Far"), (), 30, 20,
+    ),
 )

@@ -28,6 +28,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Direction of parallel light</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Edges of the curve where the rulings end</source>
             <translation type="unfinished" />
         </message>
@@ -172,6 +176,14 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>The light source, or a point of the plane where parallel light starts</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The mirror: a face, taken as its whole rectangle of parameters</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>The quadric on which the face lies</source>
             <translation type="unfinished" />
         </message>
@@ -225,6 +237,10 @@
         </message>
         <message>
             <source>Whether only rounding to doubles deviates</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Whether the light is parallel or comes from a point</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -402,6 +418,45 @@
         </message>
     </context>
     <context>
+        <name>MirrorWavefront</name>
+        <message>
+            <source>Direction</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Light</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Mirror</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Origin</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Takes a face as the mirror, a straight edge as the direction, or a vertex as the origin</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The direction in which parallel light runs</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The face that reflects</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The light source, or a point of the plane where parallel light starts</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Use selection</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
         <name>Offset</name>
         <message>
             <source>Caps</source>
@@ -448,6 +503,10 @@
         </message>
         <message>
             <source>A dish of elliptic outline: an elliptic paraboloid and its shell of even thickness.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>A dish that light falls on obliquely, and the wavefronts on their way to the focus: exact offsets of each other.</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -567,6 +626,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>From a point</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Gauss curvature, 1/mm²</source>
             <translation type="unfinished" />
         </message>
@@ -608,6 +671,14 @@
         </message>
         <message>
             <source>Mid-surface skins</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Mirror wavefront</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Mirror with its wavefronts</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -660,6 +731,10 @@
         </message>
         <message>
             <source>Parabolic cylinder</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Parallel</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -723,7 +798,15 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Select one face, one straight edge or one vertex.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Select one face.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Select the mirror first: one face.</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -816,6 +899,10 @@
         </message>
         <message>
             <source>Yes</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>degree {} x {}</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -1025,6 +1112,17 @@
         </message>
         <message>
             <source>Mid-Surface Skins…</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>PNSurfaces_MirrorWavefront</name>
+        <message>
+            <source>Creates the exact wavefront of parallel light, or of light from a point, behind a mirror</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Mirror Wavefront…</source>
             <translation type="unfinished" />
         </message>
     </context>

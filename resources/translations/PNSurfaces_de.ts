@@ -28,6 +28,10 @@
             <translation>Grad entlang und quer zu den Flächen</translation>
         </message>
         <message>
+            <source>Direction of parallel light</source>
+            <translation>Richtung von parallelem Licht</translation>
+        </message>
+        <message>
             <source>Edges of the curve where the rulings end</source>
             <translation>Kanten der Kurve, an der die Erzeugenden enden</translation>
         </message>
@@ -172,6 +176,14 @@
             <translation>Die Art der Quadrik, in Normallage</translation>
         </message>
         <message>
+            <source>The light source, or a point of the plane where parallel light starts</source>
+            <translation>Die Lichtquelle oder ein Punkt der Ebene, in der paralleles Licht beginnt</translation>
+        </message>
+        <message>
+            <source>The mirror: a face, taken as its whole rectangle of parameters</source>
+            <translation>Der Spiegel: eine Fläche, genommen mit ihrem ganzen Parameterrechteck</translation>
+        </message>
+        <message>
             <source>The quadric on which the face lies</source>
             <translation>Die Quadrik, auf der die Fläche liegt</translation>
         </message>
@@ -226,6 +238,10 @@
         <message>
             <source>Whether only rounding to doubles deviates</source>
             <translation>Ob nur die Rundung auf Gleitkommazahlen abweicht</translation>
+        </message>
+        <message>
+            <source>Whether the light is parallel or comes from a point</source>
+            <translation>Ob das Licht parallel ist oder von einem Punkt kommt</translation>
         </message>
         <message>
             <source>Whether the pipe is hollow, and how its wall is given</source>
@@ -402,6 +418,45 @@
         </message>
     </context>
     <context>
+        <name>MirrorWavefront</name>
+        <message>
+            <source>Direction</source>
+            <translation>Richtung</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>Licht</translation>
+        </message>
+        <message>
+            <source>Mirror</source>
+            <translation>Spiegel</translation>
+        </message>
+        <message>
+            <source>Origin</source>
+            <translation>Ursprung</translation>
+        </message>
+        <message>
+            <source>Takes a face as the mirror, a straight edge as the direction, or a vertex as the origin</source>
+            <translation>Nimmt eine Fläche als Spiegel, eine gerade Kante als Richtung oder einen Knoten als Ursprung</translation>
+        </message>
+        <message>
+            <source>The direction in which parallel light runs</source>
+            <translation>Die Richtung, in der paralleles Licht läuft</translation>
+        </message>
+        <message>
+            <source>The face that reflects</source>
+            <translation>Die spiegelnde Fläche</translation>
+        </message>
+        <message>
+            <source>The light source, or a point of the plane where parallel light starts</source>
+            <translation>Die Lichtquelle oder ein Punkt der Ebene, in der paralleles Licht beginnt</translation>
+        </message>
+        <message>
+            <source>Use selection</source>
+            <translation>Auswahl übernehmen</translation>
+        </message>
+    </context>
+    <context>
         <name>Offset</name>
         <message>
             <source>Caps</source>
@@ -449,6 +504,10 @@
         <message>
             <source>A dish of elliptic outline: an elliptic paraboloid and its shell of even thickness.</source>
             <translation>Eine Schale mit elliptischem Umriss: ein elliptisches Paraboloid mit gleichmäßig dicker Wand.</translation>
+        </message>
+        <message>
+            <source>A dish that light falls on obliquely, and the wavefronts on their way to the focus: exact offsets of each other.</source>
+            <translation>Eine Schale, auf die Licht schräg fällt, und die Wellenfronten auf dem Weg zum Brennpunkt: exakte Versätze voneinander.</translation>
         </message>
         <message>
             <source>A hollow hose between two fittings: a table of radii by arc length, and a bore of one radius.</source>
@@ -567,6 +626,10 @@
             <translation>Eben</translation>
         </message>
         <message>
+            <source>From a point</source>
+            <translation>Von einem Punkt</translation>
+        </message>
+        <message>
             <source>Gauss curvature, 1/mm²</source>
             <translation>Gaußsche Krümmung, 1/mm²</translation>
         </message>
@@ -609,6 +672,14 @@
         <message>
             <source>Mid-surface skins</source>
             <translation>Hautflächen einer Mittelfläche</translation>
+        </message>
+        <message>
+            <source>Mirror wavefront</source>
+            <translation>Wellenfront eines Spiegels</translation>
+        </message>
+        <message>
+            <source>Mirror with its wavefronts</source>
+            <translation>Spiegel mit Wellenfronten</translation>
         </message>
         <message>
             <source>More: menu PN Surfaces, Documentation, page {}.</source>
@@ -661,6 +732,10 @@
         <message>
             <source>Parabolic cylinder</source>
             <translation>Parabolischer Zylinder</translation>
+        </message>
+        <message>
+            <source>Parallel</source>
+            <translation>Parallel</translation>
         </message>
         <message>
             <source>Parameter</source>
@@ -723,8 +798,16 @@
             <translation>Sektor</translation>
         </message>
         <message>
+            <source>Select one face, one straight edge or one vertex.</source>
+            <translation>Eine Fläche, eine gerade Kante oder einen Knoten auswählen.</translation>
+        </message>
+        <message>
             <source>Select one face.</source>
             <translation>Eine Fläche auswählen.</translation>
+        </message>
+        <message>
+            <source>Select the mirror first: one face.</source>
+            <translation>Zuerst den Spiegel auswählen: eine Fläche.</translation>
         </message>
         <message>
             <source>Select the spine first: edges of one object, a wire or a sketch.</source>
@@ -817,6 +900,10 @@
         <message>
             <source>Yes</source>
             <translation>Ja</translation>
+        </message>
+        <message>
+            <source>degree {} x {}</source>
+            <translation>Grad {} x {}</translation>
         </message>
         <message>
             <source>degree {}, spans {}</source>
@@ -1026,6 +1113,17 @@
         <message>
             <source>Mid-Surface Skins…</source>
             <translation>Hautflächen einer Mittelfläche…</translation>
+        </message>
+    </context>
+    <context>
+        <name>PNSurfaces_MirrorWavefront</name>
+        <message>
+            <source>Creates the exact wavefront of parallel light, or of light from a point, behind a mirror</source>
+            <translation>Erzeugt die exakte Wellenfront von parallelem Licht oder von Licht aus einem Punkt hinter einem Spiegel</translation>
+        </message>
+        <message>
+            <source>Mirror Wavefront…</source>
+            <translation>Wellenfront eines Spiegels…</translation>
         </message>
     </context>
     <context>

@@ -73,6 +73,7 @@ TEST_CASE("A wavefront without rational offsets says so", "[rational_source]") {
   const PNSurface wavefront =
       surface_of(mirror_wavefronts(paraboloid(), PointLight{{0.5, 0.25, 3}}));
   CHECK(code_of([&] { wavefront.offset(1); }) == ErrorCode::kNotRational);
+  CHECK_FALSE(wavefront.has_offsets());
   CHECK_FALSE(wavefront.faces(Lines::kEven).empty());
   CHECK(wavefront.certificate(Lines::kEven).notes.size() == 1);
   const auto normal = wavefront.evaluate({0.3}, {0.6}).front().normal;

@@ -6,6 +6,7 @@ from support import DocumentTest
 from pnsurfaces.canal_surface import CanalSurface
 from pnsurfaces.choice_names import CHOICES
 from pnsurfaces.mid_surface_skins import MidSurfaceSkins
+from pnsurfaces.mirror_wavefront import MirrorWavefront
 from pnsurfaces.quadric_offset import QuadricOffset
 from pnsurfaces.ruled_offset import RuledOffset
 
@@ -13,7 +14,7 @@ from pnsurfaces.ruled_offset import RuledOffset
 class ChoiceNames(DocumentTest):
     def test_all_choices_have_names(self):
         offered = set()
-        for proxy in (CanalSurface, RuledOffset, QuadricOffset, MidSurfaceSkins):
+        for proxy in (CanalSurface, RuledOffset, QuadricOffset, MidSurfaceSkins, MirrorWavefront):
             obj = self.document.addObject("Part::FeaturePython", proxy.__name__)
             proxy(obj)
             for name in obj.PropertiesList:

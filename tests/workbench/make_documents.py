@@ -59,7 +59,21 @@ def mid_surface_skins(document):
     return pnsurfaces.make_mid_surface_skins(net, [2, 3, 2, 2, 3, 2], 0.5, document=document)
 
 
+def mirror_wavefront(document):
+    surface = Part.BezierSurface()
+    surface.increase(2, 1)
+    for i, z in enumerate((5, -3, 5)):
+        for j in range(2):
+            surface.setPole(i + 1, j + 1, FreeCAD.Vector(20 * i - 20, 30 * j, z + j))
+    mirror = document.addObject("Part::Feature", "Mirror")
+    mirror.Shape = surface.toShape()
+    return pnsurfaces.make_mirror_wavefront(
+        mirror, 60, direction=(0, 0.25, -1), origin=(0, 0, 50), document=document
+    )
+
+
 save(canal_surface, "canal_surface")
 save(ruled_offset, "ruled_offset")
 save(quadric_offset, "quadric_offset")
 save(mid_surface_skins, "mid_surface_skins")
+save(mirror_wavefront, "mirror_wavefront")

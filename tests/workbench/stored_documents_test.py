@@ -4,6 +4,7 @@
 import pathlib
 
 import FreeCAD
+import Part
 from support import DocumentTest, shape_data
 
 import pnsurfaces
@@ -37,11 +38,16 @@ class StoredDocuments(DocumentTest):
             (lambda: pnsurfaces.make_quadric_offset("Ellipsoid", 3, 2, 1), "quadric_offset"),
             (self._ruled_offset, "ruled_offset"),
             (self._mid_surface_skins, "mid_surface_skins"),
+            (self._mirror_wavefront, "mirror_wavefront"),
         ):
             self.assertIn(f"{name}_schema_{make().SchemaVersion}", stems)
 
     def _ruled_offset(self):
         return pnsurfaces.make_ruled_offset(self.line_object(), self.spline_object(), 1)
+
+    def _mirror_wavefront(self):
+        mirror = self.face_object(Part.makePlane(9, 9))
+        return pnsurfaces.make_mirror_wavefront(mirror, 9, direction=(0, 0, -1))
 
     def _mid_surface_skins(self):
         return pnsurfaces.make_mid_surface_skins(

@@ -16,6 +16,7 @@ _HOMES = {
     "export_step": "export",
     "make_canal_surface": "canal_surface",
     "make_mid_surface_skins": "mid_surface_skins",
+    "make_mirror_wavefront": "mirror_wavefront",
     "make_quadric_offset": "quadric_offset",
     "make_ruled_offset": "ruled_offset",
     "open_example": "examples",

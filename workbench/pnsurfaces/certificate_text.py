@@ -5,6 +5,7 @@
 _TITLES = {
     "CanalSurface": "canal surface",
     "MidSurfaceSkins": "skins of a mid-surface",
+    "MirrorWavefront": "wavefront of a mirror",
     "RuledOffset": "offset of a ruled surface",
     "QuadricOffset": "offset of a quadric",
 }

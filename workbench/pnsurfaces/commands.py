@@ -15,6 +15,8 @@ from pnsurfaces.documentation import show_documentation
 from pnsurfaces.edge_chain import end, read_edge_chain, start
 from pnsurfaces.examples_dialog import ask_example
 from pnsurfaces.export_path import ask_export_path
+from pnsurfaces.linked_shape import only_face
+from pnsurfaces.mirror_wavefront import facing_light
 from pnsurfaces.panel import literal
 from pnsurfaces.selection import selected_face, selected_pair, selected_points, selected_spine
 
@@ -175,6 +177,28 @@ class MidSurfaceSkinsCommand(CreationCommand):
         return _call("make_mid_surface_skins", net, repr(_NET_RADII))
 
 
+class MirrorWavefrontCommand(CreationCommand):
+    """Makes the wavefront that the selected face reflects, of light that faces it."""
+
+    name = "PNSurfaces_MirrorWavefront"
+    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_MirrorWavefront", "Mirror Wavefront…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "PNSurfaces_MirrorWavefront",
+        "Creates the exact wavefront of parallel light, or of light from a point, behind a mirror",
+    )
+    page = "mirror_wavefront_command.md"
+    transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Mirror wavefront")
+
+    def creation(self, selection):
+        face = selected_face(selection)
+        if face is None:
+            raise NothingSelected(translate("PNSurfaces", "Select the mirror first: one face."))
+        direction, origin, distance = facing_light(only_face(face))
+        light = f"direction={direction!r}, origin={origin!r}"
+        lines = f"ParameterLines={preferences.parameter_lines()!r}"
+        return f"pnsurfaces.make_mirror_wavefront({literal(face)}, {distance!r}, {light}, {lines})"
+
+
 class ExportStepCommand(Command):
     """Writes the selected shapes to a STEP file that keeps every double."""
 
@@ -286,6 +310,7 @@ def register():
             RuledOffsetCommand(),
             QuadricOffsetCommand(),
             MidSurfaceSkinsCommand(),
+            MirrorWavefrontCommand(),
             CertificateCommand(),
             ExportStepCommand(),
             ExamplesCommand(),

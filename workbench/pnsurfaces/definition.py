@@ -13,6 +13,8 @@ coordinates, so that a bound of 1e-14 mm on a surface of 100 mm is met, but not 
 - The skins of a mid-surface at distance d are the envelope of the spheres |x - m(u, v)| = r(u, v) + d:
   a point of it is on one sphere and outside all its neighbours, (x - m).m_u + (r + d) r_u = 0 and
   likewise for v.
+- The wavefront of a mirror of path length d is the envelope of the spheres |x - m(u, v)| = d - s(u, v)
+  around its points, where s is the path of the light to m: Huygens' principle.
 
 Where a point is off the surface by a small distance e, it is on that at distance d + e, so that the
 same equation finds d + e.
@@ -25,9 +27,11 @@ import numpy as np
 from pnsurfaces.canal_surface import CanalSurface, read_bore, read_spheres
 from pnsurfaces.feature import SOLID
 from pnsurfaces.mid_surface_skins import MidSurfaceSkins, read_net
+from pnsurfaces.mirror_wavefront import MirrorWavefront, light_of, read_mirror
 from pnsurfaces.quadric_form import standard_equation
 from pnsurfaces.quadric_offset import KINDS, OF_FACE, QuadricOffset, half_axes, read_face
 from pnsurfaces.ruled_offset import RuledOffset, read_curves
+from pnsurfaces.spline_grid import Jet, jet_at, spline_surface, spread
 
 # Parameters between which a root is looked for, on each span: more than the characteristic
 # equation of a span has roots in practice. A missed root shows as a deviation, never hides one.
@@ -47,12 +51,18 @@ _BEYOND_END = 1e-7
 _NEWTON_STEPS = 8
 
 
+# Parameters along each side of a mirror, from the best of which Newton's method starts.
+_GRID_OF_MIRROR = 33
+
+# Of so many of them.
+_STARTS = 3
+
 # Steps along the edges of a triangle of spheres, from the best of which Newton's method starts.
 _GRID_OF_NET = 17
 
 
 def definition_of(obj):
-    """The definition of a feature: Spheres, Rulings, Quadric, SphereNet or BallNet; None for another object."""
+    """The definition of a feature: Spheres, Rulings, Quadric, SphereNet, BallNet or Huygens; None for another object."""
     proxy = type(getattr(obj, "Proxy", None))
     return _DEFINITIONS[proxy](obj) if proxy in _DEFINITIONS else None
 
@@ -253,6 +263,99 @@ def _from_sphere(sphere, points, distance):
     return np.abs(_length(points - sphere[:3]) - np.abs(sphere[3] + distance))
 
 
+class Huygens(NamedTuple):
+    """The spheres around the points of a mirror, as the light that reaches them makes them grow.
+
+    `mirror` is a spline_grid.SplineSurface, `light` what mirror_wavefront.light_of gives.
+    """
+
+    mirror: Any
+    light: dict
+
+    words = "spheres around the points of the mirror: distance from the centre minus the rest of the path"
+
+    def deviations(self, points, normals, distance):
+        # Beyond a focal point the normal of the parametrization is on the other side.
+        starts = [
+            start for side in (1, -1) for start in self._starts(points, side * normals, distance)
+        ]
+        return np.min([self._by_newton(points, distance, *start) for start in starts], axis=0)
+
+    def _by_newton(self, points, distance, u, v):
+        for _ in range(_NEWTON_STEPS):
+            u, v = self._improved(points, distance, u, v)
+        rays, radius, _, _ = self._at(points, distance, u, v)
+        return np.abs(_length(rays) - np.abs(radius))
+
+    def _starts(self, points, normals, distance):
+        """Parameters of a grid whose spheres have the points nearly at their normals.
+
+        There are several pairs (u, v) of arrays (n,): near focal points some places of the mirror
+        have rays that are close together.
+        """
+        u, v = (spread(knots, _GRID_OF_MIRROR) for knots in (self.mirror.u_knots, self.mirror.v_knots))
+        centres = jet_at(self.mirror, u, v).point.reshape(-1, 3)
+        radii = distance - self._path(centres)[0]
+        shape = (len(u), len(v))
+        best = np.array([
+            _lowest_valleys(_length(point - centres - radii[:, None] * normal).reshape(shape))
+            for point, normal in zip(points, normals)
+        ])
+        rows, columns = np.unravel_index(best.T, shape)
+        return list(zip(u[rows], v[columns]))
+
+    def _path(self, centres):
+        """Of the light to points (n, 3): length, gradient and second derivatives (n, 3, 3)."""
+        if "source" in self.light:
+            rays = centres - np.array(self.light["source"])
+            length = _length(rays)
+            gradient = rays / length[:, None]
+            across = np.eye(3) - gradient[:, :, None] * gradient[:, None, :]
+            return length, gradient, across / length[:, None, None]
+        direction = np.array(self.light["direction"]) / np.linalg.norm(self.light["direction"])
+        length = (centres - np.array(self.light["start"])) @ direction
+        return length, np.broadcast_to(direction, centres.shape), np.zeros((len(centres), 3, 3))
+
+    def _at(self, points, distance, u, v):
+        """Rays from the mirror, radii, the Jet (n, 3) of the mirror and the path."""
+        jet = Jet(*(values[:, 0] for values in jet_at(self.mirror, u, v[:, None])))
+        path = self._path(jet.point)
+        return points - jet.point, distance - path[0], jet, path
+
+    def _improved(self, points, distance, u, v):
+        """A Newton step for  (x - m).m_i + (d - s) (d - s)_i = 0,  i = u, v."""
+        rays, radius, jet, (_, gradient, second) = self._at(points, distance, u, v)
+        slopes = (jet.u, jet.v)
+        falls = [_dot(gradient, slope) for slope in slopes]
+        values = [_dot(rays, slope) - radius * fall for slope, fall in zip(slopes, falls)]
+        j_uu, j_uv, j_vv = (
+            -_dot(slopes[i], slopes[k]) + falls[i] * falls[k] + _dot(rays, bend)
+            - radius * (_dot(gradient, bend) + np.einsum("ni,nij,nj->n", slopes[i], second, slopes[k]))
+            for i, k, bend in ((0, 0, jet.uu), (0, 1, jet.uv), (1, 1, jet.vv))
+        )
+        determinant = j_uu * j_vv - j_uv**2
+        u = u - (j_vv * values[0] - j_uv * values[1]) / determinant
+        v = v - (j_uu * values[1] - j_uv * values[0]) / determinant
+        return _within(self.mirror.u_knots, u), _within(self.mirror.v_knots, v)
+
+
+def _lowest_valleys(heights):
+    """The places (_STARTS,) of the lowest values of a grid that no neighbour is below, lowest first.
+
+    Where there are fewer, other low places fill up.
+    """
+    m, n = heights.shape
+    padded = np.pad(heights, 1, constant_values=np.inf)
+    shifts = [(i, j) for i in range(3) for j in range(3) if (i, j) != (1, 1)]
+    is_valley = np.all([heights <= padded[i : i + m, j : j + n] for i, j in shifts], axis=0)
+    order = np.lexsort((heights.ravel(), ~is_valley.ravel()))
+    return order[:_STARTS]
+
+
+def _within(knots, parameters):
+    return np.clip(parameters, knots[0], knots[-1])
+
+
 class PiecewiseRational:
     """A function of one parameter, from the spans that pnkernel gives."""
 
@@ -374,5 +477,6 @@ _DEFINITIONS = {
     CanalSurface: lambda obj: _spheres(*read_spheres(obj)),
     RuledOffset: _rulings,
     QuadricOffset: _quadric,
+    MirrorWavefront: lambda obj: Huygens(spline_surface(read_mirror(obj).surface), light_of(obj)),
     MidSurfaceSkins: lambda obj: (BallNet if obj.Output == SOLID else SphereNet)(read_net(obj)),
 }

@@ -326,5 +326,11 @@ def _range(low, high):
     """The distances between two limits in millimetres, which may be infinite."""
     if low >= high:
         return translate("PNSurfaces", "empty")
-    limits = [f"{limit:.6g}" if math.isfinite(limit) else "∞" for limit in (low, high)]
+    limits = [_limit(limit) for limit in (low, high)]
     return translate("PNSurfaces", "{} to {} mm").format(*limits)
+
+
+def _limit(limit):
+    if math.isfinite(limit):
+        return f"{limit:.6g}"
+    return "∞" if limit > 0 else "−∞"

@@ -45,7 +45,8 @@ class SectionMesh(NamedTuple):
 
 def section_mesh(surface):
     """The SectionMesh of a kernel surface at distance 0."""
-    faces, raised = (section.bsplines() for section in (surface, surface.offset(1.0)))
+    faces = surface.bsplines()
+    raised = surface.offset(1.0).bsplines() if surface.has_offsets else faces
     rectangles = sum((len(face.u_knots) - 1) * (len(face.v_knots) - 1) for face in faces)
     steps = int(np.clip(np.sqrt(_POINTS / rectangles), *_STEPS))
     points, normals, triangles = [], [], []
@@ -61,6 +62,8 @@ def section_mesh(surface):
             normals.append((offsets - grids).reshape(-1, 3))
             triangles.append(_triangles(indices))
     mesh = SectionMesh(*map(np.concatenate, (points, normals, triangles)))
+    if not surface.has_offsets:
+        mesh = mesh._replace(normals=_vertex_normals(mesh))
     return mesh._replace(triangles=_facing_normals(mesh))
 
 
@@ -211,6 +214,15 @@ def _facing_normals(mesh):
     normals = mesh.normals[mesh.triangles].sum(axis=1)
     is_turned = np.einsum("mc,mc->m", np.cross(b - a, c - a), normals) < 0
     return np.where(is_turned[:, None], mesh.triangles[:, ::-1], mesh.triangles)
+
+
+def _vertex_normals(mesh):
+    """Unit normals (n, 3), of the triangles around each point."""
+    a, b, c = (mesh.points[mesh.triangles[:, i]] for i in range(3))
+    normals, across = np.zeros_like(mesh.points), np.cross(b - a, c - a)
+    for i in range(3):
+        np.add.at(normals, mesh.triangles[:, i], across)
+    return normals / np.maximum(np.linalg.norm(normals, axis=1), np.finfo(float).tiny)[:, None]
 
 
 def _triangles(indices):

@@ -37,6 +37,19 @@ def selected_face(selection):
     return (source, list(names)) if len(names) == 1 and names[0].startswith("Face") else None
 
 
+def selected_place(selection):
+    """The point of the one selected vertex, or None. Coordinates are those of its document."""
+    (vertex,) = _sub_shapes(selection, "Vertex") or [None]
+    return vertex and vertex.Point
+
+
+def selected_direction(selection):
+    """The direction of the one selected straight edge, or None."""
+    (edge,) = _sub_shapes(selection, "Edge") or [None]
+    is_straight = edge is not None and edge.Curve.TypeId == "Part::GeomLine"
+    return edge.tangentAt(edge.FirstParameter) if is_straight else None
+
+
 def selected_points(selection):
     """Three or six selected vertices of one object, or an object that has as many."""
     if len(selection) != 1:
@@ -48,6 +61,14 @@ def selected_points(selection):
     if chosen or not hasattr(source, "Shape"):
         return None
     return (source, []) if len(source.Shape.Vertexes) in _POINTS_OF_NET else None
+
+
+def _sub_shapes(selection, kind):
+    """The one selected sub-shape of a kind, in a list; nothing where more or others are selected."""
+    if len(selection) != 1 or len(selection[0].SubElementNames) != 1:
+        return []
+    is_of_kind = selection[0].SubElementNames[0].startswith(kind)
+    return list(selection[0].SubObjects) if is_of_kind else []
 
 
 def _edges(selected):

@@ -14,6 +14,10 @@ class SeveralSurfaces:
     def distance(self):
         return self._surfaces[0].distance
 
+    @property
+    def has_offsets(self):
+        return all(surface.has_offsets for surface in self._surfaces)
+
     def offset(self, distance):
         return SeveralSurfaces([surface.offset(distance) for surface in self._surfaces])
 

@@ -11,6 +11,8 @@ from pnsurfaces.canal_surface_panel import CanalSurfacePanel
 from pnsurfaces.compat import connect
 from pnsurfaces.mid_surface_skins import MidSurfaceSkins
 from pnsurfaces.mid_surface_skins_panel import MidSurfaceSkinsPanel
+from pnsurfaces.mirror_wavefront import MirrorWavefront
+from pnsurfaces.mirror_wavefront_panel import MirrorWavefrontPanel
 from pnsurfaces.quadric_offset import QuadricOffset
 from pnsurfaces.quadric_offset_panel import QuadricOffsetPanel
 from pnsurfaces.ruled_offset import RuledOffset
@@ -22,6 +24,7 @@ translate = FreeCAD.Qt.translate
 PANELS = {
     CanalSurface: CanalSurfacePanel,
     MidSurfaceSkins: MidSurfaceSkinsPanel,
+    MirrorWavefront: MirrorWavefrontPanel,
     QuadricOffset: QuadricOffsetPanel,
     RuledOffset: RuledOffsetPanel,
 }

@@ -92,7 +92,7 @@ PNSurface PNSurface::offset(double d) const {
   if (!std::isfinite(distance_ + d)) {
     throw GeometryError(ErrorCode::kNotFinite, "The distance is not a finite number.");
   }
-  if (distance_ + d != 0 && !shared_->source->has_offsets()) {
+  if (distance_ + d != 0 && !has_offsets()) {
     throw GeometryError(ErrorCode::kNotRational,
                         "The offsets of this surface are not rational; only the surface at "
                         "distance zero is.");
@@ -102,6 +102,8 @@ PNSurface PNSurface::offset(double d) const {
   result.distance_ = distance_ + d;
   return result;
 }
+
+bool PNSurface::has_offsets() const { return shared_->source->has_offsets(); }
 
 std::array<int, 2> PNSurface::degree() const { return shared_->source->degree(); }
 

@@ -43,6 +43,8 @@ class PNSurface {
   /// when d is not finite, or where the offsets are not rational.
   PNSurface offset(double d) const;
   double distance() const { return distance_; }
+  /// The surfaces at other distances than zero are rational.
+  bool has_offsets() const;
 
   /// Degree along and around of what the algebra delivers, the same for every offset.
   std::array<int, 2> degree() const;

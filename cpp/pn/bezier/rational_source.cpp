@@ -278,7 +278,7 @@ RationalSource::RationalSource(std::vector<RationalSections> parts, double base,
       has_offsets_(has_offsets) {}
 
 OffsetRange RationalSource::regular_range() const {
-  if (!has_offsets_) return {base_, base_};
+  if (!has_offsets_) return {0, 0};
   // In units of the length, rounded towards the base.
   constexpr double kInwards = 1 - 1e-15;
   const double length = std::sqrt(parts_.front().squared_length->to_double());

@@ -37,8 +37,8 @@ class RationalSource : public PatchSource {
                  std::vector<std::string> notes);
 
   bool has_offsets() const override { return has_offsets_; }
-  /// The certified range around the base: {base, base} where the section there is singular, or
-  /// where there are no offsets. It need not contain zero.
+  /// The certified range around the base, which need not contain zero: {base, base} where the
+  /// section at the base is singular; {0, 0} where there are no offsets.
   OffsetRange regular_range() const override;
 
  private:
