@@ -34,6 +34,14 @@ TEST_CASE("Common factors are divided out, and the weight is positive", "[ration
                   std::domain_error);
 }
 
+TEST_CASE("A negative weight becomes positive, and the points stay", "[rational_sections]") {
+  const Polynomial weight = -(kOne + kU * kU);
+  const SurfaceSections<Rational> x =
+      rational_sections({kU, kV, kOne}, {kU, kV, kOne}, weight, std::nullopt).sections;
+  CHECK(x.weight.at(kHalf, kHalf).sign() > 0);
+  CHECK(x.point[0].at(kHalf, kThird) / x.weight.at(kHalf, kThird) == kHalf / weight(kHalf, kThird));
+}
+
 TEST_CASE("A part has the points of the whole", "[rational_sections]") {
   const RationalSections whole = rational_sections({kU * kV, kV * kV, kU + kOne}, {kU, kV, kOne},
                                                    kOne + kU * kU, std::nullopt);

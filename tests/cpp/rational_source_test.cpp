@@ -133,6 +133,23 @@ TEST_CASE("The certified range of a surface from planes is that of its curvature
   CHECK((range.lower == -INFINITY || range.lower < 0.8 * nearest_below));
 }
 
+TEST_CASE("A focal point is found wherever it lies", "[rational_source]") {
+  // z = 2 x^2 + y^2 / 2 by its planes: they touch it where x = -A / 4 C, y = -B / C. Its largest
+  // curvature is 4, at the vertex, where the normal points downwards.
+  const BivariatePolynomial one(1L), two(2L), four(4L);
+  const BivariatePolynomial s =
+      BivariatePolynomial(Variable::kU) - BivariatePolynomial(Rational::exactly(0.3737));
+  const BivariatePolynomial t =
+      BivariatePolynomial(Variable::kV) - BivariatePolynomial(Rational::exactly(0.5111));
+  const auto w = universal_isotropic_vector({s, t, one, BivariatePolynomial()});
+  const BivariateFunction h(-(w[0] * w[0] + four * w[1] * w[1]), BivariatePolynomial(8L) * w[2]);
+  const OffsetRange range =
+      RationalSource({rational_sections(from_planes(w, h))}, 0, {}).regular_range();
+  CHECK(range.upper == INFINITY);
+  CHECK(range.lower >= -0.25);
+  CHECK(range.lower == Approx(-0.25).epsilon(1e-5));
+}
+
 TEST_CASE("A degree above 25 is refused", "[rational_source]") {
   SplineSurfaceData data{{6, 1}, {{{0, 1}, {0, 1}}}, {{{7, 7}, {2, 2}}}, {}, {}};
   for (int i = 0; i <= 6; ++i) {

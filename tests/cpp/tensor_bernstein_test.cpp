@@ -182,3 +182,18 @@ TEST_CASE("The variable to halve is the one that bends, else the one that change
   CHECK(slope[0] == Approx(3));
   CHECK(slope[1] == Approx(-1));
 }
+
+TEST_CASE("A polynomial is proved to be positive on the square, or is not", "[tensor_bernstein]") {
+  const BivariatePolynomial one(1L), half(Rational(1L) / Rational(2L)),
+      tiny(Rational(1L) / Rational(1000000L));
+  const BivariatePolynomial bowl = (kU - half) * (kU - half) + (kV - half) * (kV - half);
+  CHECK(is_positive_on_square(one));
+  CHECK(is_positive_on_square(bowl + tiny));
+  CHECK_FALSE(is_positive_on_square(bowl));
+  CHECK_FALSE(is_positive_on_square(bowl - tiny));
+  CHECK_FALSE(is_positive_on_square(kU + kV));
+  CHECK_FALSE(is_positive_on_square(-one));
+  CHECK_FALSE(is_positive_on_square(BivariatePolynomial()));
+  // Positive on the square, not beyond it.
+  CHECK(is_positive_on_square((kU + tiny) * (one + tiny - kV)));
+}
