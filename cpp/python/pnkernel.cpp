@@ -23,7 +23,7 @@
 #include "pn/shapes/ruled_surface.hpp"
 #include "pn/shapes/sphere_family.hpp"
 #include "pn/shapes/translational_spheres.hpp"
-#include "rational_family.hpp"
+#include "rational_envelope.hpp"
 #include "surfaces_from_functions.hpp"
 
 namespace py = pybind11;
@@ -747,5 +747,5 @@ PYBIND11_MODULE(pnkernel, module) {
   define_powell_sabin_family(module);
   define_surfaces_from_functions(module);
   define_classifiers(module);
-  define_rational_family(module);
+  define_rational_envelope(module);
 }

@@ -4,7 +4,6 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <cmath>
 #include <memory>
 
 #include "pn/bezier/pn_surface.hpp"
@@ -12,6 +11,7 @@
 #include "pn/geometry_error.hpp"
 #include "pn/isotropic/from_planes.hpp"
 #include "pn/shapes/mirror.hpp"
+#include "rational_functions.hpp"
 
 namespace py = pybind11;
 
@@ -58,34 +58,6 @@ pn::Light light_of(const std::optional<Point>& direction, const Point& start,
   }
   if (source) return pn::PointLight{*source};
   return pn::ParallelLight{*direction, start};
-}
-
-pn::BivariatePolynomial polynomial_of(const Array& coefficients) {
-  if (coefficients.ndim() != 2) {
-    throw wrong_shape("The coefficients of a polynomial must be an array of two dimensions.");
-  }
-  std::vector<std::vector<pn::Rational>> rows;
-  for (py::ssize_t i = 0; i < coefficients.shape(0); ++i) {
-    rows.emplace_back();
-    for (py::ssize_t j = 0; j < coefficients.shape(1); ++j) {
-      const double value = coefficients.at(i, j);
-      if (!std::isfinite(value)) {
-        throw pn::GeometryError(pn::ErrorCode::kNotFinite, "A coefficient is not finite.");
-      }
-      rows.back().push_back(pn::Rational::exactly(value));
-    }
-  }
-  return pn::BivariatePolynomial(rows);
-}
-
-/// A polynomial, or a tuple of numerator and denominator.
-pn::BivariateFunction function_of(const py::object& function) {
-  if (!py::isinstance<py::tuple>(function)) return polynomial_of(py::cast<Array>(function));
-  const auto pair = py::cast<py::tuple>(function);
-  if (pair.size() != 2) throw wrong_shape("A quotient is a tuple of two polynomials.");
-  const pn::BivariatePolynomial denominator = polynomial_of(py::cast<Array>(pair[1]));
-  if (denominator.is_zero()) throw wrong_shape("A denominator is zero.");
-  return {polynomial_of(py::cast<Array>(pair[0])), denominator};
 }
 
 pn::PNSurface surface_of(const pn::OrientedSurface& surface) {

@@ -148,7 +148,7 @@ TEST_CASE("Wavefronts are perpendicular to the rays", "[mirror]") {
   }
 }
 
-TEST_CASE("Degrees of wavefronts are those of the theorem", "[mirror]") {
+TEST_CASE("Wavefronts have the degrees of the theorem", "[mirror]") {
   const ParallelLight light{{0, 0, -1}, {0, 0, 9}};
   for (const int m : {1, 2, 3}) {
     const auto polynomial = mirror_wavefronts(bent_patch(m, 2, 4, false), light);

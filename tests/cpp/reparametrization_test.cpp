@@ -89,3 +89,14 @@ TEST_CASE("Directions that are constant or run on a curve touch no surface",
   const BivariateFunction one(1L), two(2L);
   CHECK(reparametrizations(f, {two * u, 0L, one - u * u, one + u * u}).empty());
 }
+
+TEST_CASE("Sheets are developable where tangent planes depend on one parameter",
+          "[reparametrization]") {
+  RandomSurfaces random(2);
+  const SphereSurface general = surface_of(random.power_form());
+  CHECK_FALSE(has_developable_sheets(general));
+  // Rulings of one direction, in parameters that do not show it.
+  const BivariateFunction a = u + v * v;
+  CHECK(has_developable_sheets({a * a + v, a - v, v, a * a * a + v}));
+  CHECK_FALSE(has_developable_sheets({a * a + v, a - v, v * a, a * a * a + v}));
+}

@@ -44,9 +44,14 @@ RationalEnvelope rational_envelope(const SphereSurface& f) {
     throw GeometryError(ErrorCode::kZeroLength,
                         "The centres of the spheres lie on a curve, so they are no mid-surface.");
   }
-  if (mos_root(f)) return {f, envelope_sheets(f)};
+  if (mos_root(f)) return {f, envelope_sheets(f), std::nullopt};
   const IsotropicField w = stereographic_field();
   const auto found = reparametrizations(f, w);
+  if (found.empty() && has_developable_sheets(f)) {
+    throw GeometryError(ErrorCode::kDevelopable,
+                        "The normals of the skins depend on one parameter only: the skins are "
+                        "developable, and no surfaces over their normals.");
+  }
   if (found.empty()) {
     throw GeometryError(ErrorCode::kNotRational,
                         "The family is not rational: its normals are no rational functions of its "
@@ -54,7 +59,7 @@ RationalEnvelope rational_envelope(const SphereSurface& f) {
   }
   const SphereSurface spheres = found.front()(f);
   const OrientedSurface sheet = sheet_with_normal({w[0] / w[3], w[1] / w[3], w[2] / w[3]}, spheres);
-  return {spheres, {sheet, other_sheet(sheet, spheres)}};
+  return {spheres, {sheet, other_sheet(sheet, spheres)}, found.front()};
 }
 
 }  // namespace pn

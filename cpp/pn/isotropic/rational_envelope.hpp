@@ -20,6 +20,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "pn/isotropic/from_planes.hpp"
 #include "pn/isotropic/reparametrization.hpp"
@@ -30,14 +31,16 @@ namespace pn {
 struct RationalEnvelope {
   SphereSurface spheres;
   std::array<OrientedSurface, 2> sheets;
+  /// What was put into f, if the parameters are not its own but those of the normals.
+  std::optional<Reparametrization> contact;
 };
 
 /// The second sheet of f from the first, or the first from the second.
 OrientedSurface other_sheet(const OrientedSurface& sheet, const SphereSurface& f);
 
 /// Over the parameters of f if it is a MOS surface, else over its stereographic normals. Throws
-/// GeometryError: kZeroLength when the spheres or their centres are a curve, kNotRational when
-/// neither way is rational.
+/// GeometryError: kZeroLength when the spheres or their centres are a curve, kDevelopable when the
+/// sheets are, kNotRational when neither way is rational.
 RationalEnvelope rational_envelope(const SphereSurface& f);
 
 }  // namespace pn

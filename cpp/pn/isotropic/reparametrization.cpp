@@ -103,9 +103,9 @@ bool vanishes(const Polynomial& p, const Reparametrization& at) {
   return RationalFunction<4>(p).composed<2>({at.u, at.v, s, t}).is_zero();
 }
 
-bool has_rank_two(const Reparametrization& at) {
-  return at.u.derivative(Variable::kU) * at.v.derivative(Variable::kV) !=
-         at.u.derivative(Variable::kV) * at.v.derivative(Variable::kU);
+bool are_independent(const BivariateFunction& x, const BivariateFunction& y) {
+  return x.derivative(Variable::kU) * y.derivative(Variable::kV) !=
+         x.derivative(Variable::kV) * y.derivative(Variable::kU);
 }
 
 std::vector<Reparametrization> common_zeros(const Polynomial& p, const Polynomial& q) {
@@ -152,6 +152,21 @@ std::array<Vector, 2> tangent_plane(const SphereSurface& f) {
                       "spheres.");
 }
 
+bool has_developable_sheets(const SphereSurface& f) {
+  // The plane decides the ratios in both vectors, and they decide the plane.
+  std::vector<BivariateFunction> ratios;
+  for (const Vector& x : tangent_plane(f)) {
+    const auto first = std::find_if(x.begin(), x.end(), [](const auto& c) { return !c.is_zero(); });
+    for (const BivariatePolynomial& c : x) ratios.emplace_back(c, *first);
+  }
+  for (const BivariateFunction& x : ratios) {
+    for (const BivariateFunction& y : ratios) {
+      if (are_independent(x, y)) return false;
+    }
+  }
+  return true;
+}
+
 std::vector<Reparametrization> reparametrizations(const SphereSurface& f, const IsotropicField& w) {
   const auto plane = tangent_plane(f);
   const Vector direction = primitive(w);
@@ -162,7 +177,8 @@ std::vector<Reparametrization> reparametrizations(const SphereSurface& f, const 
   for (const Polynomial& p_factor : irreducible_factors(p)) {
     for (const Polynomial& q_factor : q_factors) {
       for (Reparametrization& zero : common_zeros(p_factor, q_factor)) {
-        const bool is_solution = has_rank_two(zero) && vanishes(p, zero) && vanishes(q, zero);
+        const bool is_solution =
+            are_independent(zero.u, zero.v) && vanishes(p, zero) && vanishes(q, zero);
         if (is_solution && std::find(result.begin(), result.end(), zero) == result.end()) {
           result.push_back(std::move(zero));
         }

@@ -51,6 +51,10 @@ IsotropicField stereographic_field();
 /// when f depends on one parameter only.
 std::array<MinkowskiVector<BivariatePolynomial>, 2> tangent_plane(const SphereSurface& f);
 
+/// The tangent planes depend on one parameter only, so the normals of both sheets do: these are
+/// developable. Throws GeometryError kZeroLength when f depends on one parameter only.
+bool has_developable_sheets(const SphereSurface& f);
+
 /// All solutions over Q of <w, f_u> = <w, f_v> = 0 that have rank 2, in no special order. Throws
 /// GeometryError kZeroLength when f depends on one parameter only.
 std::vector<Reparametrization> reparametrizations(const SphereSurface& f, const IsotropicField& w);

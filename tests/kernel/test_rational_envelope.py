@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Skins of rational families of spheres against their definition, and against printed ones."""
+"""Envelopes of rational families of spheres against their definition and printed formulas."""
 
 import numpy as np
 import pnkernel as pn
@@ -23,7 +23,7 @@ def plate():
     """Six spheres: nearly flat, of varying thickness, in millimetres."""
     x, y = [[0, 0, 0.5], [40, 3, 0], [2, 0, 0]], [[1, 50, -1], [0, 2, 0], [0.25, 0, 0]]
     z, r = [[0, 2, 4], [1, -1.5, 0], [5, 0, 0]], [[3, 0.5, 0.25], [-0.5, 0.125, 0], [0.5, 0, 0]]
-    return np.array([x, y, z, r])
+    return [np.array(c) for c in (x, y, z, r)]
 
 
 def samples(bounds, count=5):
@@ -70,11 +70,39 @@ def test_a_net_has_the_printed_spheres():
     u, v = (1 - square) / (2 * s), -(1 + square) / (2 * t)
     expected = np.column_stack([-u * u / 2, -v * v / 2, u, -v])
     assert np.allclose(ln_type_1().spheres(s, t), expected, rtol=1e-14, atol=0)
+    assert np.allclose(ln_type_1().parameters(s, t), np.column_stack([u, v]), rtol=1e-14, atol=0)
+
+
+def test_the_normals_of_a_plate_satisfy_its_equations():
+    spheres = plate()
+    family = pn.sphere_family_from_surface(spheres[:3], spheres[3])
+    bounds = ((-0.0625, 0.0625), (-0.03125, 0.09375))
+    t, around, s, q = samples(bounds)
+    points, normals = family.skin(0, bounds).evaluate(t, around)
+    u, v = family.parameters(s, q).T
+    x, y, z, r = (polynomial.polyval2d(u, v, c) for c in spheres)
+    assert np.allclose(points, np.column_stack([x, y, z]) + r[:, None] * normals, rtol=1e-12)
+    for axis in (0, 1):
+        by = [polynomial.polyval2d(u, v, polynomial.polyder(c, axis=axis)) for c in spheres]
+        size = np.abs(by).max()
+        assert np.abs(np.einsum("ji,ij->i", by[:3], normals) + by[3]).max() < 1e-12 * size
+
+
+def test_support_functions_may_be_rational():
+    minus_v = [[0, -1], [0, 0]]
+    a, b = [[0], [-1], [0], [1]], (ONE, V)  # u^3 - u and 1/v
+    family = pn.sphere_family_from_net([ONE, ZERO, U, ZERO], [ZERO, ONE, ZERO, minus_v], a, b)
+    s, t = np.array([0.25]), np.array([0.5])
+    u, v = family.parameters(s, t).T
+    # f = (a - u a', b - v b', a', b'), and the radius is -f4.
+    expected = np.column_stack([-2 * u**3, 2 / v, 3 * u * u - 1, 1 / v**2])
+    assert np.allclose(family.spheres(s, t), expected, rtol=1e-14, atol=0)
+    check_touches_spheres(family, 0, ((0.25, 0.375), (0.5, 0.625)), 100)
 
 
 def test_six_spheres_have_the_same_skin_as_a_triangular_family():
     spheres = plate()
-    family = pn.sphere_family_from_surface(spheres)
+    family = pn.sphere_family_from_surface(spheres[:3], spheres[3])
     value = lambda u, v: np.array([polynomial.polyval2d(u, v, c) for c in spheres])  # noqa: E731
     corners = {"200": (1, 0), "020": (0, 1), "002": (0, 0)}
     net = {name: value(*place) for name, place in corners.items()}
@@ -98,7 +126,7 @@ def test_six_spheres_have_the_same_skin_as_a_triangular_family():
 @pytest.mark.parametrize("sheet", [0, 1])
 def test_normals_that_are_rational_keep_the_parameters(sheet):
     uv = [[0, 0], [0, 0.5]]
-    family = pn.sphere_family_from_surface([U, V, uv, np.negative(uv)])
+    family = pn.sphere_family_from_surface([U, V, uv], np.negative(uv))
     assert not family.is_over_normals
     p, q = np.array([0.2, -0.5]), np.array([0.75, 0.1])
     assert np.allclose(family.spheres(p, q), np.column_stack([p, q, p * q / 2, -p * q / 2]))
@@ -120,18 +148,18 @@ def test_offsets_are_parallel_within_the_certified_range():
 
 def test_bad_families_are_refused():
     surface, net = pn.sphere_family_from_surface, pn.sphere_family_from_net
-    cubic = np.zeros((4, 4, 4))
-    for c, i, j in [(0, 1, 0), (1, 0, 1), (2, 3, 1), (2, 0, 2), (3, 1, 2)]:
-        cubic[c, i, j] = 1
-    uv = [[0, 0], [0, 1]]
-    refused("not_finite", lambda: surface(np.full((4, 2, 2), np.nan)))
-    assert "(4, m, n)" in refused("wrong_shape", lambda: surface([U, V, U]))
-    assert "curve" in refused("zero_length", lambda: surface([U, U, U, V]))
-    assert "not rational" in refused("not_rational", lambda: surface(cubic))
+    uv, cubic = [[0, 0], [0, 1]], [[0, 0, 1], [0, 0, 0], [0, 0, 0], [0, 1, 0]]
+    refused("not_finite", lambda: surface([U, V, [[np.nan]]], ONE))
+    refused("wrong_shape", lambda: surface([U, V, [0, 1]], ONE))
+    refused("wrong_shape", lambda: surface([U, V, (ONE, ZERO)], ONE))
+    refused("zero_length", lambda: surface([U, U, U], V))
+    assert "not rational" in refused("not_rational", lambda: surface([U, V, cubic], uv))
     lines = [ONE, ZERO, U, ZERO], [ZERO, ONE, ZERO, V]
     assert "do not fit" in refused("not_rational", lambda: net(*lines, uv, V))
     refused("bad_bounds", lambda: ln_type_1().skin(0, ((1, 1), (0, 1))))
-    # On v = 0 the sphere that touches lies at infinity.
+    refused("not_finite", lambda: ln_type_1().skin(0, ((0, np.inf), (0, 1))))
+    refused("wrong_shape", lambda: ln_type_1().spheres([0.5], [0.5, 0.25]))
+    # Where s t = 0 the sphere that touches lies at infinity.
     refused("weights_not_positive", lambda: ln_type_1().skin(0, ((-1, 1), (-1, 1))).bsplines())
     with pytest.raises(ValueError, match="sheet"):
         ln_type_1().skin(2, AWAY_FROM_SINGULAR)
