@@ -39,7 +39,8 @@ MovingConic upright(const Conic& conic) {
 /// constant t go around once.
 void check_upright(const ConicSurface& surface, const RationalPolynomial& aa,
                    const RationalPolynomial& bb) {
-  const SurfaceEvaluation face(surface.face());
+  REQUIRE(surface.faces().size() == 1);
+  const SurfaceEvaluation face(surface.faces().front());
   for (int i = 0; i <= 12; ++i) {
     double turn = 0, before = 0;
     for (int k = 0; k <= 60; ++k) {
@@ -84,7 +85,8 @@ TEST_CASE("Ellipses in turning planes lie in their planes and on their quadrics"
   const RationalPolynomial aa = poly({1, 1}), bb = poly({2, 0, 1});
   const ConicSurface surface(
       moving({t, t * t, 0L}, {poly({0, 2}), -1L, 0L}, {0L, 0L, 1L}, ellipse(aa, bb)));
-  const SurfaceEvaluation face(surface.face());
+  REQUIRE(surface.faces().size() == 1);
+  const SurfaceEvaluation face(surface.faces().front());
   for (int i = 0; i <= 10; ++i) {
     // s runs through t monotonically: t is found from the plane of one point.
     const auto first = face(i / 10.0, 0.2);
@@ -105,6 +107,29 @@ TEST_CASE("Ellipses in turning planes lie in their planes and on their quadrics"
             Approx(1).epsilon(1e-8));
     }
   }
+}
+
+TEST_CASE("Ellipses that become thin one way and then the other take several faces",
+          "[conic_surface]") {
+  // Half-axes 1/32 to 32 and back: the squares are exact, so each end is an ellipse of the next
+  // face.
+  const RationalPolynomial aa = poly({1, 1023}), bb = poly({1024, -1023});
+  const ConicSurface surface(upright(ellipse(aa, bb)));
+  double end = 0;
+  for (const BSplineSurface& part : surface.faces()) {
+    CHECK(part.u_knots.front() == end);
+    end = part.u_knots.back();
+    const SurfaceEvaluation face(part);
+    for (const double u : {part.u_knots.front(), (part.u_knots.front() + end) / 2, end}) {
+      for (int k = 0; k < 8; ++k) {
+        const auto x = face(u, k / 8.0);
+        const double t = x[2] / 10;
+        const double a2 = 1 + 1023 * t, b2 = 1024 - 1023 * t;
+        CHECK(x[0] * x[0] / a2 + x[1] * x[1] / b2 == Approx(1).epsilon(1e-9));
+      }
+    }
+  }
+  CHECK(end == 1);
 }
 
 TEST_CASE("Conics that are no ellipses and ellipses without points are refused",

@@ -13,6 +13,7 @@
 #include "pn/bezier/line_factor.hpp"
 #include "pn/bezier/section_net.hpp"
 #include "pn/conics/interval_substitution.hpp"
+#include "pn/conics/rational_conic_family.hpp"
 #include "pn/geometry_error.hpp"
 #include "pn/isotropic/envelope.hpp"
 
@@ -23,26 +24,22 @@ using Polynomial = RationalPolynomial;
 
 /// Weights that vary by more on a patch are avoided where smaller patches help.
 constexpr double kEvenWeights = 0.02;
-constexpr int kMostArcs = 32, kMostSpans = 64;
+constexpr int kMostArcs = 16, kMostSpans = 16;
+/// Faces are not halved below this part of the interval.
+constexpr double kLeastLength = 1.0 / 128;
 
 /// Rows x, y, z, weight and columns u0^2, u0 u1, u1^2, of one degree in s.
 template <class T>
 using ConicPoints = std::array<Vector3<Form<T>>, 4>;
 
-/// Where the patches end: equal spans of s, and u = p_0, p_1, ..., p_arcs = -p_0.
+/// Where the patches of a face end: equal spans of an interval of s, and u = p_0, p_1, ..., p_arcs
+/// = -p_0.
 struct Division {
+  double begin, length;
   int spans;
   std::vector<std::array<double, 2>> u;
   std::size_t arcs() const { return u.size() - 1; }
 };
-
-Vector3<int> column_degrees(const MovingConic& conic) {
-  Vector3<int> degree{};
-  for (std::size_t j = 0; j < 3; ++j) {
-    for (const auto& row : conic.frame) degree[j] = std::max(degree[j], row[j].degree());
-  }
-  return degree;
-}
 
 /// w^T adj(C) w of the line at infinity.
 Polynomial ellipticity(const MovingConic& conic) {
@@ -89,9 +86,11 @@ ConicPoints<double> midpoints(const ConicPoints<RealBall>& x) {
 template <class T>
 Form<T> polar(const Vector3<Form<T>>& form, const std::array<double, 2>& p,
               const std::array<double, 2>& q) {
-  const T p0(p[0]), p1(p[1]), q0(q[0]), q1(q[1]);
+  // Products of short doubles are exact at any precision, their sum is not.
+  const T p0(p[0]), p1(p[1]), q0(q[0]), q1(q[1]), half(0.5);
   Form<T> sum = form[0] * (p0 * q0);
-  sum += form[1] * ((p0 * q1 + p1 * q0) * T(0.5));
+  sum += form[1] * (p0 * q1 * half);
+  sum += form[1] * (p1 * q0 * half);
   sum += form[2] * (p1 * q1);
   return sum;
 }
@@ -103,9 +102,10 @@ Form<T> control_column(const Vector3<Form<T>>& form, const Division& division, s
 }
 
 template <class T>
-std::vector<T> bernstein_on_span(const Form<T>& form, int span, int spans) {
-  const double length = 1.0 / spans;
-  return to_bernstein(form.on_interval(T(span * length), T(length)).coefficients());
+std::vector<T> bernstein_on_span(const Form<T>& form, const Division& division, int span) {
+  const double length = division.length / division.spans;
+  const double begin = division.begin + span * length;
+  return to_bernstein(form.on_interval(T(begin), T(length)).coefficients());
 }
 
 /// The least weight in parts of the largest; not positive if some weight is not.
@@ -114,7 +114,7 @@ double weight_ratio(const Vector3<Form<double>>& weight, const Division& divisio
   for (std::size_t k = 0; k <= 2 * division.arcs(); ++k) {
     const Form<double> column = control_column(weight, division, k);
     for (int span = 0; span < division.spans; ++span) {
-      for (const double w : bernstein_on_span(column, span, division.spans)) {
+      for (const double w : bernstein_on_span(column, division, span)) {
         least = std::min(least, w);
         largest = std::max(largest, w);
       }
@@ -123,11 +123,24 @@ double weight_ratio(const Vector3<Form<double>>& weight, const Division& divisio
   return least / largest;
 }
 
-/// Places u that divide the ellipse evenly for its weight w0 u0^2 + w1 u0 u1 + w2 u1^2.
-std::optional<std::vector<std::array<double, 2>>> even_places(double w0, double w1, double w2,
+/// The weight w0 u0^2 + w1 u0 u1 + w2 u1^2 of determinant 1 along an interval, on the average.
+Eigen::Matrix2d mean_weight(const Vector3<Form<double>>& weight, double begin, double length) {
+  constexpr int kSamples = 16;
+  Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+  for (int i = 0; i <= kSamples; ++i) {
+    const double s = begin + length * i / kSamples;
+    const double half = weight[1](s) / 2;
+    Eigen::Matrix2d here;
+    here << weight[0](s), half, half, weight[2](s);
+    const double det = here.determinant();
+    if (det > 0) sum += here / std::sqrt(det);
+  }
+  return sum;
+}
+
+/// Places u that divide the ellipse of this weight evenly.
+std::optional<std::vector<std::array<double, 2>>> even_places(const Eigen::Matrix2d& weight,
                                                               int arcs) {
-  Eigen::Matrix2d weight;
-  weight << w0, w1 / 2, w1 / 2, w2;
   const Eigen::LLT<Eigen::Matrix2d> cholesky(weight);
   if (cholesky.info() != Eigen::Success) return std::nullopt;
   std::vector<std::array<double, 2>> places;
@@ -141,26 +154,37 @@ std::optional<std::vector<std::array<double, 2>>> even_places(double w0, double 
   return places;
 }
 
-/// The fewest patches with even weights, else with positive ones.
-Division division_of(const Vector3<Form<double>>& weight) {
-  const auto at_middle = [&](std::size_t k) { return weight[k](0.5); };
-  std::optional<Division> positive;
+/// The fewest patches with even weights, if there are any.
+std::optional<Division> even_division(const Vector3<Form<double>>& weight, double begin,
+                                      double length) {
+  const Eigen::Matrix2d mean = mean_weight(weight, begin, length);
   for (int patches = 4; patches <= kMostArcs * kMostSpans; patches *= 2) {
     for (int arcs = 4; arcs <= std::min(kMostArcs, patches); arcs *= 2) {
       if (patches / arcs > kMostSpans) continue;
-      auto places = even_places(at_middle(0), at_middle(1), at_middle(2), arcs);
-      if (!places) continue;
-      Division division{patches / arcs, std::move(*places)};
-      const double ratio = weight_ratio(weight, division);
-      if (ratio > kEvenWeights) return division;
-      if (ratio > 0 && !positive) positive = std::move(division);
+      auto places = even_places(mean, arcs);
+      if (!places) return std::nullopt;
+      Division division{begin, length, patches / arcs, std::move(*places)};
+      if (weight_ratio(weight, division) > kEvenWeights) return division;
     }
   }
-  if (positive) return *positive;
-  throw GeometryError(
-      ErrorCode::kWeightsNotPositive,
-      "No patches with positive weights were found: the ellipses become too thin or "
-      "turn too far. Divide the interval.");
+  return std::nullopt;
+}
+
+/// Appends the faces of an interval, which is halved where no even lines fit all of it.
+void append_divisions(std::vector<Division>& divisions, const Vector3<Form<double>>& weight,
+                      double begin, double length) {
+  if (std::optional<Division> division = even_division(weight, begin, length)) {
+    divisions.push_back(std::move(*division));
+    return;
+  }
+  if (length < kLeastLength) {
+    throw GeometryError(
+        ErrorCode::kWeightsNotPositive,
+        "No patches with positive weights were found: an ellipse becomes too thin.");
+  }
+  const double half = length / 2;
+  append_divisions(divisions, weight, begin, half);
+  append_divisions(divisions, weight, begin + half, half);
 }
 
 BSplineSurface frame_of(int degree, const Division& division) {
@@ -168,7 +192,7 @@ BSplineSurface frame_of(int degree, const Division& division) {
   frame.u_degree = degree;
   frame.v_degree = 2;
   for (int i = 0; i <= division.spans; ++i) {
-    frame.u_knots.push_back(static_cast<double>(i) / division.spans);
+    frame.u_knots.push_back(division.begin + division.length * i / division.spans);
     frame.u_multiplicities.push_back(i == 0 || i == division.spans ? degree + 1 : degree);
   }
   const auto arcs = static_cast<int>(division.arcs());
@@ -191,7 +215,7 @@ FaceNet face_net(const ConicPoints<RealBall>& x, const Division& division) {
     for (int span = 0; span < division.spans; ++span) {
       std::array<std::vector<RealBall>, 4> bernstein;
       for (std::size_t c = 0; c < 4; ++c) {
-        bernstein[c] = bernstein_on_span(control_column(x[c], division, k), span, division.spans);
+        bernstein[c] = bernstein_on_span(control_column(x[c], division, k), division, span);
       }
       for (std::size_t i = 0; i < bernstein[3].size(); ++i) {
         NetPole& pole = face.poles[(static_cast<std::size_t>(span * degree) + i) * columns + k];
@@ -232,9 +256,6 @@ class PointsOfSurface {
   }
 
  private:
-  static ConicFamily family_of(const MovingConic& conic) {
-    return conic_family(conic.conic, column_degrees(conic));
-  }
   PointsOfSurface(const MovingConic& conic, const ConicFamily& family)
       : PointsOfSurface(conic, family, interval_substitution(family, Rational(0), Rational(1))) {}
   PointsOfSurface(const MovingConic& conic, const ConicFamily& family,
@@ -264,18 +285,21 @@ ConicSurface::ConicSurface(const MovingConic& conic) {
         ErrorCode::kDegreeTooHigh,
         "The surface has degree " + std::to_string(degree_[0]) + " along t; 25 is the most.");
   }
-  const auto division = at_sufficient_precision(
-      [&](long precision) { return division_of(midpoints(points(precision))[3]); });
-  RoundedFace rounded = at_sufficient_precision([&](long precision) {
-    FaceNet face = face_net(points(precision), division);
-    if (has_bad_weight(face)) {
-      throw GeometryError(ErrorCode::kWeightsNotPositive,
-                          "A weight of the surface is not positive.");
+  std::vector<Division> divisions;
+  append_divisions(divisions, midpoints(at_sufficient_precision(points))[3], 0, 1);
+  const std::vector<RoundedFace> rounded = at_sufficient_precision([&](long precision) {
+    const ConicPoints<RealBall> x = points(precision);
+    std::vector<FaceNet> faces;
+    for (const Division& division : divisions) {
+      faces.push_back(face_net(x, division));
+      if (has_bad_weight(faces.back())) throw Undecided("the sign of a weight");
     }
-    return SectionNet({std::move(face)}, precision).section(0).front();
+    return SectionNet(std::move(faces), precision).section(0);
   });
-  face_ = std::move(rounded.surface);
-  deviation_ = rounded.deviation;
+  for (const RoundedFace& face : rounded) {
+    faces_.push_back(face.surface);
+    deviation_ = std::max(deviation_, face.deviation);
+  }
 }
 
 }  // namespace pn

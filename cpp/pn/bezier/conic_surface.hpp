@@ -16,36 +16,30 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "pn/bezier/bspline_surface.hpp"
-#include "pn/conics/rational_conic_family.hpp"
+#include "pn/conics/moving_conic.hpp"
 
 namespace pn {
 
-/// A conic for each t in [0, 1].
-struct MovingConic {
-  /// Rows: x, y, z [mm] times the weight, and the weight; columns: three points that span the
-  /// plane.
-  std::array<Vector3<RationalPolynomial>, 4> frame;
-  Matrix3<RationalPolynomial> conic;  ///< y^T C y = 0 for the point frame * y
-};
-
 class ConicSurface {
  public:
-  /// Throws GeometryError: kSingularConics, kNoRealPoints, kRegionUnbounded when a conic is no
-  /// ellipse, kDegreeTooHigh, kWeightsNotPositive.
+  /// Of the conics for t in [0, 1]. Throws GeometryError: kSingularConics, kNoRealPoints,
+  /// kRegionUnbounded when a conic is no ellipse, kDegreeTooHigh, kWeightsNotPositive.
   explicit ConicSurface(const MovingConic& conic);
 
   /// (n, 2).
   std::array<int, 2> degree() const { return degree_; }
-  /// u along t over [0, 1], v once around the ellipses over [0, 1].
-  const BSplineSurface& face() const { return face_; }
-  /// Proven bound [mm] on the distance of the face to the conics.
+  /// In the order of t: u along t, over [0, 1] in all; v once around the ellipses over [0, 1]. One
+  /// face unless the ellipses change so much that no even lines fit them all.
+  const std::vector<BSplineSurface>& faces() const { return faces_; }
+  /// Proven bound [mm] on the distance of the faces to the conics.
   double deviation() const { return deviation_; }
 
  private:
   std::array<int, 2> degree_;
-  BSplineSurface face_;
+  std::vector<BSplineSurface> faces_;
   double deviation_ = 0;
 };
 

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/conics/moving_conic.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "pn/geometry_error.hpp"
+
+namespace pn {
+namespace {
+
+using Polynomial = RationalPolynomial;
+using Point = Vector4OfPolynomials;
+
+int degree_of(const Point& p) {
+  int degree = -1;
+  for (const Polynomial& x : p) degree = std::max(degree, x.degree());
+  return degree;
+}
+
+/// The last coordinate of highest degree.
+std::size_t leading_row(const Point& p) {
+  std::size_t leading = 0;
+  for (std::size_t i = 1; i < 4; ++i) {
+    if (p[i].degree() >= p[leading].degree()) leading = i;
+  }
+  return leading;
+}
+
+void add_multiple(Point& p, const Polynomial& factor, const Point& q) {
+  for (std::size_t i = 0; i < 4; ++i) p[i] += factor * q[i];
+}
+
+/// The multiple of b of which the leading coefficient is minus that of a.
+Polynomial cancelling_factor(const Polynomial& a, const Polynomial& b) {
+  return Polynomial(-(a.coefficient(a.degree()) / b.coefficient(b.degree()))) *
+         power_of_t(a.degree() - b.degree());
+}
+
+/// Columns with the incidences g.w by which Euclid's algorithm goes on until only one is not zero:
+/// the others span the plane.
+std::vector<Point> kernel_of(const Point& plane) {
+  std::vector<Point> columns(4);
+  for (std::size_t i = 0; i < 4; ++i) columns[i][i] = Polynomial(1L);
+  Point incidence = plane;
+  for (;;) {
+    std::optional<std::size_t> high, low;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (incidence[i].is_zero()) continue;
+      if (!high || incidence[i].degree() > incidence[*high].degree()) high = i;
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (i != *high && !incidence[i].is_zero()) low = i;
+    }
+    if (!low) {
+      columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(*high));
+      return columns;
+    }
+    const Polynomial factor = cancelling_factor(incidence[*high], incidence[*low]);
+    incidence[*high] += factor * incidence[*low];
+    add_multiple(columns[*high], factor, columns[*low]);
+  }
+}
+
+/// To least degrees: no two with the same leading row (Mulders, Storjohann).
+void reduce(std::vector<Point>& columns) {
+  for (bool reduced = false; !reduced;) {
+    reduced = true;
+    for (Point& a : columns) {
+      for (Point& b : columns) {
+        if (&a == &b || degree_of(a) < degree_of(b)) continue;
+        const std::size_t row = leading_row(b);
+        if (leading_row(a) != row) continue;
+        add_multiple(a, cancelling_factor(a[row], b[row]), b);
+        reduced = false;
+      }
+    }
+  }
+}
+
+Polynomial minor(const std::array<Point, 4>& d, std::size_t row, std::size_t column) {
+  Matrix3<Polynomial> rest;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) rest[i][j] = d[i + (i >= row)][j + (j >= column)];
+  }
+  const Polynomial value = determinant(rest);
+  return (row + column) % 2 == 0 ? value : -value;
+}
+
+/// The kernel of D, of rank 3: a column of its adjugate, without common factors.
+Point plane_of(const std::array<Point, 4>& d) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    Point plane;
+    Polynomial common;
+    for (std::size_t i = 0; i < 4; ++i) {
+      plane[i] = minor(d, k, i);
+      common = gcd(common, plane[i]);
+    }
+    if (common.is_zero()) continue;
+    for (Polynomial& x : plane) x = exact_quotient(x, common);
+    return plane;
+  }
+  throw GeometryError(
+      ErrorCode::kSingularConics,
+      "The matrix of the tangent planes has a rank below 3: all conics are pairs of "
+      "points.");
+}
+
+void check_tangent_planes(const std::array<Point, 4>& d) {
+  Polynomial det;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (d[i][j] != d[j][i]) {
+        throw GeometryError(ErrorCode::kWrongShape,
+                            "The matrix of the tangent planes is not symmetric.");
+      }
+    }
+    det += d[0][i] * minor(d, 0, i);
+  }
+  if (!det.is_zero()) {
+    throw GeometryError(ErrorCode::kWrongShape,
+                        "The matrix of the tangent planes has rank 4: it describes quadrics, not "
+                        "conics.");
+  }
+}
+
+}  // namespace
+
+ConicFamily family_of(const MovingConic& conic) {
+  Vector3<int> degree{};
+  for (std::size_t j = 0; j < 3; ++j) {
+    for (const auto& row : conic.frame) degree[j] = std::max(degree[j], row[j].degree());
+  }
+  return conic_family(conic.conic, degree);
+}
+
+std::array<Vector3<Polynomial>, 4> plane_basis(const Point& plane) {
+  std::vector<Point> columns = kernel_of(plane);
+  reduce(columns);
+  std::array<Vector3<Polynomial>, 4> basis;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) basis[i][j] = columns[j][i];
+  }
+  return basis;
+}
+
+MovingConic conic_of_tangent_planes(const std::array<Point, 4>& d) {
+  check_tangent_planes(d);
+  const Point plane = plane_of(d);
+  MovingConic result;
+  result.frame = plane_basis(plane);
+  // Without the row in which the plane is not zero, the basis stays regular.
+  std::size_t left_out = 0;
+  while (plane[left_out].is_zero()) ++left_out;
+  Matrix3<Polynomial> rows, dual;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t row = i + (i >= left_out);
+    rows[i] = result.frame[row];
+    for (std::size_t j = 0; j < 3; ++j) dual[i][j] = d[row][j + (j >= left_out)];
+  }
+  const Matrix3<Polynomial> points = adjugate(dual);
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = 0; b < 3; ++b) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+          result.conic[a][b] += rows[i][a] * points[i][j] * rows[j][b];
+        }
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace pn
