@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "pn/conics/column_reduction.hpp"
 #include "pn/geometry_error.hpp"
 
 namespace pn {
@@ -13,19 +14,12 @@ namespace {
 using Polynomial = RationalPolynomial;
 using Point = Vector4OfPolynomials;
 
-int degree_of(const Point& p) {
-  int degree = -1;
-  for (const Polynomial& x : p) degree = std::max(degree, x.degree());
-  return degree;
-}
-
-/// The last coordinate of highest degree.
-std::size_t leading_row(const Point& p) {
-  std::size_t leading = 0;
+LeadingTerm leading_term(const Point& p) {
+  std::size_t row = 0;
   for (std::size_t i = 1; i < 4; ++i) {
-    if (p[i].degree() >= p[leading].degree()) leading = i;
+    if (p[i].degree() >= p[row].degree()) row = i;
   }
-  return leading;
+  return {row, p[row].degree(), p[row].coefficient(p[row].degree())};
 }
 
 void add_multiple(Point& p, const Polynomial& factor, const Point& q) {
@@ -60,22 +54,6 @@ std::vector<Point> kernel_of(const Point& plane) {
     const Polynomial factor = cancelling_factor(incidence[*high], incidence[*low]);
     incidence[*high] += factor * incidence[*low];
     add_multiple(columns[*high], factor, columns[*low]);
-  }
-}
-
-/// To least degrees: no two with the same leading row (Mulders, Storjohann).
-void reduce(std::vector<Point>& columns) {
-  for (bool reduced = false; !reduced;) {
-    reduced = true;
-    for (Point& a : columns) {
-      for (Point& b : columns) {
-        if (&a == &b || degree_of(a) < degree_of(b)) continue;
-        const std::size_t row = leading_row(b);
-        if (leading_row(a) != row) continue;
-        add_multiple(a, cancelling_factor(a[row], b[row]), b);
-        reduced = false;
-      }
-    }
   }
 }
 
@@ -137,7 +115,11 @@ ConicFamily family_of(const MovingConic& conic) {
 
 std::array<Vector3<Polynomial>, 4> plane_basis(const Point& plane) {
   std::vector<Point> columns = kernel_of(plane);
-  reduce(columns);
+  reduce_columns(
+      columns.size(), [&](std::size_t j) { return leading_term(columns[j]); },
+      [&](std::size_t i, const Polynomial& factor, std::size_t j) {
+        add_multiple(columns[i], factor, columns[j]);
+      });
   std::array<Vector3<Polynomial>, 4> basis;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < 3; ++j) basis[i][j] = columns[j][i];

@@ -125,40 +125,23 @@ void RationalLattice::divide(const Polynomial& factor, int times) {
   twist_ -= times * factor.degree();
 }
 
-std::size_t RationalLattice::leading_row(std::size_t column) const {
-  std::size_t leading = 0;
+LeadingTerm RationalLattice::leading_term(std::size_t column) const {
   const auto height = [&](std::size_t i) {
     return basis_[i][column].is_zero() ? -1 : basis_[i][column].degree() + row_degree_[i];
   };
+  std::size_t row = 0;
   for (std::size_t i = 1; i < 3; ++i) {
-    if (height(i) >= height(leading)) leading = i;
+    if (height(i) >= height(row)) row = i;
   }
-  return leading;
+  const Polynomial& entry = basis_[row][column];
+  return {row, height(row), entry.coefficient(entry.degree())};
 }
 
-/// To columns of least degrees: no two with the same leading row (T. Mulders, A. Storjohann, On
-/// lattice reduction for polynomial matrices, J. Symb. Comp. 35, 2003).
 void RationalLattice::reduce() {
-  const auto update = [&](std::size_t j) {
-    const std::size_t row = leading_row(j);
-    degree_[j] = basis_[row][j].degree() + row_degree_[row];
-  };
-  for (std::size_t j = 0; j < 3; ++j) update(j);
-  for (bool reduced = false; !reduced;) {
-    reduced = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        if (i == j || degree_[i] < degree_[j]) continue;
-        const std::size_t row = leading_row(j);
-        if (leading_row(i) != row) continue;
-        const Polynomial &high = basis_[row][i], &low = basis_[row][j];
-        const Rational ratio = high.coefficient(high.degree()) / low.coefficient(low.degree());
-        add_multiple(i, Polynomial(-ratio) * power_of_t(degree_[i] - degree_[j]), j);
-        update(i);
-        reduced = false;
-      }
-    }
-  }
+  reduce_columns(
+      3, [&](std::size_t j) { return leading_term(j); },
+      [&](std::size_t i, const Polynomial& factor, std::size_t j) { add_multiple(i, factor, j); });
+  for (std::size_t j = 0; j < 3; ++j) degree_[j] = leading_term(j).degree;
   make_primitive();
 }
 

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "pn/algebra/residue_field.hpp"
+#include "pn/conics/column_reduction.hpp"
 #include "pn/conics/conic_family.hpp"
 
 namespace pn {
@@ -51,7 +52,7 @@ class RationalLattice {
   void divide(const RationalPolynomial& factor, int times);
   void reduce();
   void make_primitive();
-  std::size_t leading_row(std::size_t column) const;
+  LeadingTerm leading_term(std::size_t column) const;
 
   Vector3<int> row_degree_;
   Matrix3<RationalPolynomial> basis_, conic_;
