@@ -21,6 +21,11 @@ Vector normal_of_centres(const SphereSurface& f) {
   return {component(1, 2), component(2, 0), component(0, 1)};
 }
 
+Vector composed(const Vector& x, const Reparametrization& change) {
+  return {x[0].composed<2>({change.u, change.v}), x[1].composed<2>({change.u, change.v}),
+          x[2].composed<2>({change.u, change.v})};
+}
+
 OrientedSurface sheet_with_normal(const Vector& n, const SphereSurface& f) {
   return {{f[0] - f[3] * n[0], f[1] - f[3] * n[1], f[2] - f[3] * n[2]}, n};
 }
@@ -57,9 +62,12 @@ RationalEnvelope rational_envelope(const SphereSurface& f) {
                         "The family is not rational: its normals are no rational functions of its "
                         "parameters, nor its parameters of the normals.");
   }
-  const SphereSurface spheres = found.front()(f);
-  const OrientedSurface sheet = sheet_with_normal({w[0] / w[3], w[1] / w[3], w[2] / w[3]}, spheres);
-  return {spheres, {sheet, other_sheet(sheet, spheres)}, found.front()};
+  const Reparametrization& contact = found.front();
+  const SphereSurface spheres = contact(f);
+  const Vector n = {w[0] / w[3], w[1] / w[3], w[2] / w[3]};
+  // N of f before its parameters are changed has far lower degrees, and the same direction.
+  const Vector second = reflected(n, composed(normal, contact));
+  return {spheres, {sheet_with_normal(n, spheres), sheet_with_normal(second, spheres)}, contact};
 }
 
 }  // namespace pn
