@@ -642,6 +642,50 @@ void define_sphere_family(py::module_& module) {
       "GeometryError where it has no real envelope.");
 }
 
+/// (k, 3, 2)
+Array corners_of(const std::vector<pn::FamilyPart>& parts) {
+  Array corners({static_cast<py::ssize_t>(parts.size()), py::ssize_t{3}, py::ssize_t{2}});
+  double* out = corners.mutable_data();
+  for (const pn::FamilyPart& part : parts) {
+    for (const auto& corner : part.corners) out = std::copy(corner.begin(), corner.end(), out);
+  }
+  return corners;
+}
+
+/// (k, 6, 4)
+Array spheres_of_parts(const std::vector<pn::FamilyPart>& parts) {
+  Array spheres({static_cast<py::ssize_t>(parts.size()), py::ssize_t{6}, py::ssize_t{4}});
+  double* out = spheres.mutable_data();
+  for (const pn::FamilyPart& part : parts) {
+    for (const auto& [x, y, z, minus_r] : part.family.control()) {
+      for (const pn::Rational& c : {x, y, z, -minus_r}) *out++ = c.to_double();
+    }
+  }
+  return spheres;
+}
+
+void define_real_region(py::module_& module) {
+  module.def(
+      "real_region",
+      [](const Array& control_spheres, int halvings) {
+        const pn::RealRegion region =
+            pn::real_region(pn::quadratic_family(spheres_of(control_spheres)), halvings);
+        py::dict result;
+        result["real"] = corners_of(region.real);
+        result["unreal"] = corners_of(region.unreal);
+        result["border"] = corners_of(region.border);
+        result["families"] = spheres_of_parts(region.real);
+        return result;
+      },
+      py::arg("control_spheres"), py::arg("halvings") = 5,
+      "Where the family of six spheres (6, 4) has a real envelope, over triangles of (u, v) by "
+      "their corners (k, 3, 2): 'real' and 'unreal', both proved, and the 'border' between, of "
+      "triangles 2^-halvings as wide as the whole one. 'families' (k, 6, 4) are the control "
+      "spheres "
+      "over those of 'real', rounded, for sphere_family. Raises GeometryError for what is not "
+      "finite.");
+}
+
 void define_translational_spheres(py::module_& module) {
   py::class_<pn::SphereSpline>(module, "SphereSpline",
                                "A curve of spheres: a spline of centre and radius, in millimetres.")
@@ -821,6 +865,7 @@ PYBIND11_MODULE(pnkernel, module) {
   define_outputs(module);
   define_surface(module);
   define_sphere_family(module);
+  define_real_region(module);
   define_translational_spheres(module);
   define_powell_sabin_family(module);
   define_surfaces_from_functions(module);

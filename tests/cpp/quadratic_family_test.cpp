@@ -91,6 +91,36 @@ TEST_CASE("A family without a real envelope somewhere is found out, with the pla
   CHECK(value(g.determinant, Rational::exactly(u), Rational::exactly(v)).sign() <= 0);
 }
 
+TEST_CASE("The region with an envelope is found, and that without", "[quadratic_family]") {
+  ControlSpheres spheres = RandomSphereFamily(2).spheres();
+  const double side = std::hypot(spheres[0][0] - spheres[5][0], spheres[0][1] - spheres[5][1],
+                                 spheres[0][2] - spheres[5][2]);
+  spheres[5][3] += side;
+  const QuadraticFamily family = family_of(spheres);
+  const TernaryForm<Rational> delta = metric(family).determinant;
+  const RealRegion region = real_region(family, 4);
+  CHECK_FALSE(region.real.empty());
+  CHECK_FALSE(region.unreal.empty());
+  double area = 0;
+  const auto check_parts = [&](const std::vector<FamilyPart>& parts, int sign) {
+    for (const FamilyPart& part : parts) {
+      const auto& [a, b, c] = part.corners;
+      area += std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+      for (const auto& [u, v] : part.corners) {
+        const Rational x = Rational::exactly(u), y = Rational::exactly(v);
+        CHECK((sign == 0 || value(delta, x, y).sign() == sign));
+      }
+      CHECK(test::jet(part.family, 1L, 0L).value ==
+            test::jet(family, Rational::exactly(a[0]), Rational::exactly(a[1])).value);
+    }
+  };
+  check_parts(region.real, 1);
+  check_parts(region.unreal, -1);
+  check_parts(region.border, 0);
+  CHECK(area == 1);
+  CHECK(real_region(family_of(RandomSphereFamily(2).spheres()), 4).real.size() == 1);
+}
+
 TEST_CASE("Up to the regular radius no point of either sheet is singular, beyond the focal points",
           "[quadratic_family]") {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {

@@ -113,7 +113,22 @@ def test_bad_input_is_refused_with_its_reason():
         refused("zero_length", lambda line=line: pn.sphere_family(line))
     swallowing = spheres.copy()
     swallowing[0, 3] += 150
-    assert "swallows" in refused("radius_too_steep", lambda: pn.sphere_family(swallowing))
+    sentence = refused("radius_too_steep", lambda: pn.sphere_family(swallowing))
+    assert "swallows" in sentence and "% of the triangle has one" in sentence
+
+
+def test_the_part_with_an_envelope_is_found():
+    spheres = plate(0)
+    spheres[0, 3] += 150
+    region = pn.real_region(spheres, halvings=4)
+    assert len(region["real"]) and len(region["unreal"]) and len(region["border"])
+    areas = [abs(np.linalg.det(corners[:2] - corners[2]))
+             for kind in ("real", "unreal", "border") for corners in region[kind]]
+    assert sum(areas) == 1
+    for control, corners in zip(region["families"], region["real"], strict=True):
+        sphere, _, _ = Family.of(spheres).sphere(*corners[0])
+        assert np.allclose(control[0], np.array(sphere, dtype=float), rtol=1e-15, atol=1e-13)
+        assert pn.sphere_family(control).skins
 
 
 def test_the_regular_range_is_inside_the_focal_distances():

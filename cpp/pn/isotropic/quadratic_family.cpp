@@ -48,6 +48,29 @@ std::optional<std::array<double, 2>> unreal_place(const FamilyPart& part, int ha
   return std::nullopt;
 }
 
+/// Both regions together.
+RealRegion joined(RealRegion a, const RealRegion& b) {
+  const auto append = [](std::vector<FamilyPart>& to, const std::vector<FamilyPart>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  append(a.real, b.real);
+  append(a.unreal, b.unreal);
+  append(a.border, b.border);
+  return a;
+}
+
+RealRegion real_region(const FamilyPart& part, int halvings) {
+  const Form delta = metric(part.family).determinant;
+  if (has_positive_coefficients(delta)) return {{part}, {}, {}};
+  if (has_positive_coefficients(delta * Rational(-1L))) return {{}, {part}, {}};
+  if (halvings == 0) return {{}, {}, {part}};
+  RealRegion region;
+  for (const FamilyPart& quarter : part.quartered()) {
+    region = joined(std::move(region), real_region(quarter, halvings - 1));
+  }
+  return region;
+}
+
 /// An upper bound of |m| + |r| for a vector (m, -r).
 Rational bound(const Vector& x) {
   const double m = std::hypot(x[0].to_double(), x[1].to_double(), x[2].to_double());
@@ -186,6 +209,10 @@ FamilyMetric metric(const QuadraticFamily& family) {
 
 std::optional<std::array<double, 2>> unreal_place(const QuadraticFamily& family) {
   return unreal_place({family}, kMostHalvings);
+}
+
+RealRegion real_region(const QuadraticFamily& family, int halvings) {
+  return real_region(FamilyPart{family}, halvings);
 }
 
 double regular_radius(const QuadraticFamily& family) {

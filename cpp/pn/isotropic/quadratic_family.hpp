@@ -33,6 +33,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "pn/algebra/rational.hpp"
 #include "pn/algebra/ternary_form.hpp"
@@ -83,6 +84,16 @@ FamilyMetric metric(const QuadraticFamily& family);
 /// A parameter (u, v) of the triangle where Delta <= 0, or where Delta could not be shown to be
 /// positive around it; nothing when Delta > 0 on the whole triangle, which is proved then.
 std::optional<std::array<double, 2>> unreal_place(const QuadraticFamily& family);
+
+/// The triangle divided by the sign of Delta, each part by quarterings of it.
+struct RealRegion {
+  std::vector<FamilyPart> real;    ///< Delta > 0 on them, which is proved
+  std::vector<FamilyPart> unreal;  ///< Delta < 0 on them, which is proved
+  std::vector<FamilyPart> border;  ///< the smallest parts, of which neither is
+};
+
+/// The region with an envelope, with a border of parts 2^-halvings as wide as the triangle.
+RealRegion real_region(const QuadraticFamily& family, int halvings);
 
 /// The largest R [mm] found for which the corollary proves both sheets regular at all distances
 /// |rho| <= R from the centres, within 2^-20 of the largest one that it can prove on parts of the

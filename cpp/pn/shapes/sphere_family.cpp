@@ -30,6 +30,27 @@ bool are_collinear(const QuadraticFamily::Control& control) {
   return true;
 }
 
+/// Quarterings by which a refusal tells how much of the triangle has an envelope.
+constexpr int kRegionHalvings = 5;
+
+/// Of the whole triangle, in percent, rounded down.
+int share(const std::vector<FamilyPart>& parts) {
+  double area = 0;
+  for (const FamilyPart& part : parts) {
+    const auto& [a, b, c] = part.corners;
+    area += std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+  }
+  return static_cast<int>(100 * area);
+}
+
+/// Which part of the triangle has an envelope, as a sentence.
+std::string extent(const RealRegion& region) {
+  if (region.real.empty()) return " No part of the triangle was found that has one.";
+  return " At least " + std::to_string(share(region.real)) +
+         " % of the triangle has one, and at least " + std::to_string(share(region.unreal)) +
+         " % has none.";
+}
+
 void check_envelope(const QuadraticFamily& family) {
   const auto place = unreal_place(family);
   if (!place) return;
@@ -43,7 +64,8 @@ void check_envelope(const QuadraticFamily& family) {
   throw GeometryError(ErrorCode::kRadiusTooSteep,
                       std::string("The spheres have no envelope near ") + where + near +
                           ": the radius changes at least as fast as the centre moves, so one "
-                          "sphere swallows its neighbours.");
+                          "sphere swallows its neighbours." +
+                          extent(real_region(family, kRegionHalvings)));
 }
 
 }  // namespace
