@@ -6,9 +6,11 @@
 #include <random>
 
 #include "error_code.hpp"
+#include "parabolic_mirror.hpp"
 
 using namespace pn;
 using test::code_of;
+using test::paraboloid;
 
 namespace {
 
@@ -35,18 +37,6 @@ SplineSurfaceData bent_patch(int m, int n, unsigned seed, bool is_rational) {
     for (int j = 0; j <= n; ++j) {
       data.poles.push_back({10.0 * i / m, 10.0 * j / n + bend(generator), bend(generator)});
       if (is_rational) data.weights.push_back(weight(generator));
-    }
-  }
-  return data;
-}
-
-/// z = (x^2 + y^2) / 4 over [-1, 1]^2, with its focus at (0, 0, 1).
-SplineSurfaceData paraboloid() {
-  SplineSurfaceData data{{2, 2}, {{{0, 1}, {0, 1}}}, {{{3, 3}, {3, 3}}}, {}, {}};
-  const std::array<double, 3> x = {-1, 0, 1}, square = {1, -1, 1};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      data.poles.push_back({x[i], x[j], (square[i] + square[j]) / 4});
     }
   }
   return data;

@@ -5,26 +5,16 @@
 #include <cmath>
 
 #include "error_code.hpp"
+#include "parabolic_mirror.hpp"
 #include "pn/bezier/pn_surface.hpp"
 #include "pn/isotropic/from_planes.hpp"
 #include "pn/shapes/mirror.hpp"
 
 using namespace pn;
 using test::code_of;
+using test::paraboloid;
 
 namespace {
-
-/// z = (x^2 + y^2) / 4 over [-1, 1]^2, with its focus at (0, 0, 1).
-SplineSurfaceData paraboloid() {
-  SplineSurfaceData data{{2, 2}, {{{0, 1}, {0, 1}}}, {{{3, 3}, {3, 3}}}, {}, {}};
-  const std::array<double, 3> x = {-1, 0, 1}, square = {1, -1, 1};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      data.poles.push_back({x[i], x[j], (square[i] + square[j]) / 4});
-    }
-  }
-  return data;
-}
 
 PNSurface surface_of(const Wavefronts& wavefronts) {
   return PNSurface(std::make_shared<const RationalSource>(wavefronts.patches, wavefronts.leaving,

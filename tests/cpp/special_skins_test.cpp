@@ -6,7 +6,6 @@
 #include "enclosures.hpp"
 #include "pn/algebra/precision.hpp"
 #include "pn/bezier/pn_surface.hpp"
-#include "pn/bezier/separated_patch.hpp"
 #include "pn/bezier/skin.hpp"
 #include "pn/shapes/sphere_family.hpp"
 #include "special_sphere_families.hpp"
@@ -99,8 +98,6 @@ TEST_CASE("Separated skins are patches in the family's own parameters", "[specia
       const auto degree = checked_degree(spheres, sheet);
       CHECK(degree[0] <= 6);
       CHECK(degree[1] <= 6);
-      CHECK(separated_patch(family_of(spheres), sheet)->place_of({0.25, 0.5}) ==
-            (sheet == Sheet::kOuter ? Parameters{0.25, 0.5} : Parameters{0.5, 0.25}));
     }
   }
 }
