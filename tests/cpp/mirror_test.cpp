@@ -10,7 +10,7 @@
 
 using namespace pn;
 using test::code_of;
-using test::paraboloid;
+using test::parabolic_mirror;
 
 namespace {
 
@@ -150,7 +150,7 @@ TEST_CASE("Wavefronts have the degrees of the theorem", "[mirror]") {
 
 TEST_CASE("A paraboloid reflects light along its axis into spheres around its focus", "[mirror]") {
   const Wavefronts wavefronts =
-      mirror_wavefronts(paraboloid(), ParallelLight{{0, 0, -2}, {0, 0, 5}});
+      mirror_wavefronts(parabolic_mirror(), ParallelLight{{0, 0, -2}, {0, 0, 5}});
   std::mt19937 generator(2);
   for (int i = 0; i < 10; ++i) {
     const auto [x, r] = at(wavefronts.patches.front(), fraction(generator), fraction(generator));
@@ -162,7 +162,7 @@ TEST_CASE("A paraboloid reflects light along its axis into spheres around its fo
 }
 
 TEST_CASE("A paraboloid reflects light from its focus into planes", "[mirror]") {
-  const Wavefronts wavefronts = mirror_wavefronts(paraboloid(), PointLight{{0, 0, 1}});
+  const Wavefronts wavefronts = mirror_wavefronts(parabolic_mirror(), PointLight{{0, 0, 1}});
   const RationalSections& x = wavefronts.patches.front();
   REQUIRE(x.squared_length.has_value());
   CHECK(wavefronts.notes.empty());
@@ -177,8 +177,8 @@ TEST_CASE("A paraboloid reflects light from its focus into planes", "[mirror]") 
 
 TEST_CASE("Light from elsewhere has one rational wavefront, and that is said", "[mirror]") {
   const PointLight light{{0.5, 0.25, 3}};
-  const Wavefronts wavefronts = mirror_wavefronts(paraboloid(), light);
-  const RationalPatch patch = rational_patches(paraboloid()).front();
+  const Wavefronts wavefronts = mirror_wavefronts(parabolic_mirror(), light);
+  const RationalPatch patch = rational_patches(parabolic_mirror()).front();
   const RationalSections& x = wavefronts.patches.front();
   CHECK_FALSE(x.squared_length.has_value());
   CHECK(wavefronts.notes.size() == 1);
@@ -201,7 +201,7 @@ TEST_CASE("What cannot be reflected is refused with the reason", "[mirror]") {
   CHECK(refused(plane(), PointLight{{0.3, 0.3, 0}}) == ErrorCode::kLightOnMirror);
   CHECK(refused(plane(), PointLight{{0, 1, 0}}) == ErrorCode::kLightOnMirror);
   CHECK(refused(plane(), PointLight{{0, 1, 2}}) == ErrorCode::kZeroLength);
-  CHECK(refused(paraboloid(), PointLight{{0, 0, 0}}) == ErrorCode::kLightOnMirror);
+  CHECK(refused(parabolic_mirror(), PointLight{{0, 0, 0}}) == ErrorCode::kLightOnMirror);
   CHECK(refused(plane(), ParallelLight{{0, 0, 0}, {0, 0, 0}}) == ErrorCode::kZeroLength);
   CHECK(refused(plane(), ParallelLight{{0, NAN, 0}, {0, 0, 0}}) == ErrorCode::kNotFinite);
   CHECK(refused(plane(), PointLight{{0, INFINITY, 0}}) == ErrorCode::kNotFinite);

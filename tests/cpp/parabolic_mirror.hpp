@@ -7,7 +7,7 @@
 namespace pn::test {
 
 /// z = (x^2 + y^2) / 4 over [-1, 1]^2, with its focus at (0, 0, 1).
-inline SplineSurfaceData paraboloid() {
+inline SplineSurfaceData parabolic_mirror() {
   SplineSurfaceData data{{2, 2}, {{{0, 1}, {0, 1}}}, {{{3, 3}, {3, 3}}}, {}, {}};
   const std::array<double, 3> x = {-1, 0, 1}, square = {1, -1, 1};
   for (std::size_t i = 0; i < 3; ++i) {

@@ -12,7 +12,7 @@
 
 using namespace pn;
 using test::code_of;
-using test::paraboloid;
+using test::parabolic_mirror;
 
 namespace {
 
@@ -35,7 +35,7 @@ PNSurface from_polynomials() {
 TEST_CASE("Light along the axis of a paraboloid is regular up to its focus", "[rational_source]") {
   // From z = 5 it has a path of 6 to the focus.
   const PNSurface wavefront =
-      surface_of(mirror_wavefronts(paraboloid(), ParallelLight{{0, 0, -1}, {0, 0, 5}}));
+      surface_of(mirror_wavefronts(parabolic_mirror(), ParallelLight{{0, 0, -1}, {0, 0, 5}}));
   const OffsetRange range = wavefront.regular_range();
   CHECK(range.upper <= 6);
   CHECK(range.upper == Approx(6).epsilon(1e-5));
@@ -46,7 +46,7 @@ TEST_CASE("Light along the axis of a paraboloid is regular up to its focus", "[r
 
 TEST_CASE("A wavefront is exported with its certificate", "[rational_source]") {
   const PNSurface wavefront =
-      surface_of(mirror_wavefronts(paraboloid(), ParallelLight{{0, 0, -1}, {0, 0, 5}}))
+      surface_of(mirror_wavefronts(parabolic_mirror(), ParallelLight{{0, 0, -1}, {0, 0, 5}}))
           .offset(5.75);
   const Certificate certificate = wavefront.certificate(Lines::kEven);
   CHECK(certificate.exact);
@@ -61,7 +61,7 @@ TEST_CASE("A wavefront is exported with its certificate", "[rational_source]") {
 
 TEST_CASE("A wavefront without rational offsets says so", "[rational_source]") {
   const PNSurface wavefront =
-      surface_of(mirror_wavefronts(paraboloid(), PointLight{{0.5, 0.25, 3}}));
+      surface_of(mirror_wavefronts(parabolic_mirror(), PointLight{{0.5, 0.25, 3}}));
   CHECK(code_of([&] { wavefront.offset(1); }) == ErrorCode::kNotRational);
   CHECK_FALSE(wavefront.has_offsets());
   CHECK_FALSE(wavefront.faces(Lines::kEven).empty());
@@ -72,7 +72,7 @@ TEST_CASE("A wavefront without rational offsets says so", "[rational_source]") {
 
 TEST_CASE("Parts meet, and have even weights", "[rational_source]") {
   const SplineSurfaceData steep = [] {
-    SplineSurfaceData data = paraboloid();
+    SplineSurfaceData data = parabolic_mirror();
     for (auto& pole : data.poles) pole[2] *= 40;
     return data;
   }();
