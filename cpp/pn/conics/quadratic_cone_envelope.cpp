@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/conics/quadratic_cone_envelope.hpp"
+
+#include <algorithm>
+
+#include "pn/conics/stereographic_projection.hpp"
+#include "pn/geometry_error.hpp"
+
+namespace pn {
+namespace {
+
+template <class T>
+T number(const Rational& x, long precision);
+template <>
+Rational number(const Rational& x, long) {
+  return x;
+}
+template <>
+RealBall number(const Rational& x, long precision) {
+  return RealBall(x, precision);
+}
+
+/// p(t), constant in u.
+template <class T>
+TensorPolynomial<T> along_t(const RationalPolynomial& p, long precision) {
+  TensorPolynomial<T> result(std::max(p.degree(), 0), 0);
+  for (int i = 0; i <= p.degree(); ++i) result(i, 0) = number<T>(p.coefficient(i), precision);
+  return result;
+}
+
+template <class T>
+HomogeneousCoordinates<T> along_t(const Vector4OfPolynomials& x, long precision) {
+  return {along_t<T>(x[0], precision), along_t<T>(x[1], precision), along_t<T>(x[2], precision),
+          along_t<T>(x[3], precision)};
+}
+
+template <class T>
+std::array<HomogeneousCoordinates<T>, 4> along_t(const Matrix4OfPolynomials& m, long precision) {
+  return {along_t<T>(m[0], precision), along_t<T>(m[1], precision), along_t<T>(m[2], precision),
+          along_t<T>(m[3], precision)};
+}
+
+/// The terms up to this degree in t, of a polynomial whose others vanish.
+template <class T>
+TensorPolynomial<T> of_degree(const TensorPolynomial<T>& p, int degree) {
+  TensorPolynomial<T> result(degree, p.degree(Variable::kV));
+  for (int i = 0; i <= std::min(degree, p.degree(Variable::kU)); ++i) {
+    for (int j = 0; j <= p.degree(Variable::kV); ++j) result(i, j) = p(i, j);
+  }
+  return result;
+}
+
+template <class T>
+HomogeneousCoordinates<T> of_degree(const HomogeneousCoordinates<T>& x, int degree) {
+  return {of_degree(x[0], degree), of_degree(x[1], degree), of_degree(x[2], degree),
+          of_degree(x[3], degree)};
+}
+
+/// Quadratic forms in u by their coefficients.
+template <class T>
+Vector3<TensorPolynomial<T>> in_t_and_u(const Matrix3<Form<T>>& columns) {
+  Vector3<TensorPolynomial<T>> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const Form<T>& form = columns[i][static_cast<std::size_t>(k)];
+      TensorPolynomial<T> part(std::max(form.degree(), 0), 2);
+      for (int d = 0; d <= form.degree(); ++d) part(d, k) = form[d];
+      result[i] += part;
+    }
+  }
+  return result;
+}
+
+/// z = r y less the multiple of v by which its degree falls below n + 1, for n >= h - 1: A. of the
+/// component in which v has its degree h the remainder modulo v is enough.
+template <class T>
+HomogeneousCoordinates<T> lifted(const QuadraticCones& cones, const Vector3<TensorPolynomial<T>>& y,
+                                 int n, long precision) {
+  HomogeneousCoordinates<T> z;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) z[i] += along_t<T>(cones.inverse[i][j], precision) * y[j];
+  }
+  const int h = cones.vertex_degree();
+  std::size_t high = 0;
+  while (cones.vertex[high].degree() < h) ++high;
+  const T inverse = number<T>(Rational(1L) / cones.vertex[high].coefficient(h), precision);
+  const HomogeneousCoordinates<T> v = along_t<T>(cones.vertex, precision);
+  for (int i = z[high].degree(Variable::kU); i >= h; --i) {
+    TensorPolynomial<T> multiple(i - h, 2);
+    for (int k = 0; k <= 2; ++k) multiple(i - h, k) = z[high](i, k) * inverse;
+    for (std::size_t c = 0; c < 4; ++c) z[c] -= multiple * v[c];
+  }
+  return of_degree(z, n);
+}
+
+template <class T>
+HomogeneousCoordinates<T> generators_of(const QuadraticCones& cones,
+                                        const Vector3<TensorPolynomial<T>>& y, int n,
+                                        long precision) {
+  return lifted(cones, y, std::max(n, cones.vertex_degree() - 1), precision);
+}
+
+template <class T>
+ContactElements<T> elements_of(const QuadraticCones& cones, const Matrix3<Form<T>>& points, int n,
+                               long precision) {
+  const int h = cones.vertex_degree(), k = cones.degree();
+  const HomogeneousCoordinates<T> z = generators_of(cones, in_t_and_u(points), n, precision);
+  const auto c = along_t<T>(cones.matrix, precision);
+  const auto slope = along_t<T>(derivative(cones.matrix), precision);
+  const auto v = along_t<T>(cones.vertex, precision);
+  return {of_degree(stereographic_projection(slope, v, z), 2 * n + h + k - 2),
+          of_degree(polar_of(c, z), n + k)};
+}
+
+/// In the degrees that they have over Q.
+HomogeneousCoordinates<Rational> without_common_factor(const HomogeneousCoordinates<Rational>& x) {
+  std::array<BivariatePolynomial, 4> exact;
+  BivariatePolynomial common;
+  for (std::size_t i = 0; i < 4; ++i) {
+    exact[i] = in_ring(x[i]);
+    common = gcd(common, exact[i]);
+  }
+  HomogeneousCoordinates<Rational> result;
+  for (std::size_t i = 0; i < 4; ++i) result[i] = dense(*quotient(exact[i], common));
+  return result;
+}
+
+template <class T>
+int degree_of(const HomogeneousCoordinates<T>& x, Variable variable) {
+  int degree = 0;
+  for (const auto& p : x) degree = std::max(degree, p.degree(variable));
+  return degree;
+}
+
+HomogeneousCoordinates<RealBall> in_balls(const HomogeneousCoordinates<Rational>& x,
+                                          long precision) {
+  const auto balls = [&](const TensorPolynomial<Rational>& p) {
+    return p.mapped([&](const Rational& c) { return RealBall(c, precision); });
+  };
+  return {balls(x[0]), balls(x[1]), balls(x[2]), balls(x[3])};
+}
+
+QuadraticCones with_moving_vertex(QuadraticCones cones) {
+  if (cones.vertex_degree() == 0) {
+    throw GeometryError(ErrorCode::kZeroLength,
+                        "All cones have one vertex: they envelop no surface.");
+  }
+  return cones;
+}
+
+}  // namespace
+
+QuadraticConeEnvelope::QuadraticConeEnvelope(QuadraticCones cones)
+    : cones_(with_moving_vertex(std::move(cones))), generators_(family_of(cones_)) {
+  const int n = generators_.degree();
+  degree_ = {2 * n + cones_.vertex_degree() + cones_.degree() - 2, 4};
+  if (const auto& points = generators_.rational_points()) {
+    const ContactElements<Rational> elements = elements_of(cones_, *points, n, 0);
+    rational_ = {without_common_factor(elements.point), without_common_factor(elements.plane)};
+    degree_ = {degree_of(rational_->point, Variable::kU),
+               degree_of(rational_->point, Variable::kV)};
+  }
+}
+
+HomogeneousCoordinates<RealBall> QuadraticConeEnvelope::generators(long precision) const {
+  const QuadraticPoints points = generators_.points(precision);
+  return generators_of(cones_, in_t_and_u(points.coordinate), points.degree, precision);
+}
+
+ContactElements<RealBall> QuadraticConeEnvelope::contact_elements(long precision) const {
+  if (rational_) {
+    return {in_balls(rational_->point, precision), in_balls(rational_->plane, precision)};
+  }
+  return elements_of(cones_, generators_.points(precision).coordinate, generators_.degree(),
+                     precision);
+}
+
+}  // namespace pn
