@@ -198,6 +198,31 @@ TEST_CASE("The tangent planes of the example of the dissertation", "[quadratic_c
   check_envelope(envelope);
 }
 
+TEST_CASE("Cones that envelop a curve are found exactly", "[quadratic_cone_envelope]") {
+  const Polynomial t = power_of_t(1), zero, one(1L), minus = poly({-1});
+  // Translated cones touch the curve at infinity only.
+  const QuadraticCones translated =
+      quadratic_cones({t, t * t, zero, one}, diagonal(one, one, minus));
+  CHECK(envelops_curve(translated));
+  CHECK_FALSE(is_surface(QuadraticConeEnvelope(translated).contact_elements(kBits).point));
+  // Cones that join a circle with the points of a line: y z = t (...) in the plane z = 0.
+  const QuadraticCones over_circle = quadratic_cones({{{one, zero, zero, zero},
+                                                       {zero, one, -t, zero},
+                                                       {zero, -t, t * t - one, one},
+                                                       {zero, zero, one, minus}}});
+  CHECK(envelops_curve(over_circle));
+  // The same cones opening are surfaces.
+  CHECK_FALSE(
+      envelops_curve(quadratic_cones({t, t * t, zero, one}, diagonal(one + t * t, one, minus))));
+  RandomConics random(43);
+  CHECK_FALSE(envelops_curve(quadratic_cones(random_cone_matrix(random, {0, 1, 1}, 4))));
+  // The tangent planes of a conic surface that is a cylinder: circles of one radius along z.
+  const MovingConic circle = {
+      {{{zero, one, zero}, {zero, zero, one}, {t, zero, zero}, {one, zero, zero}}},
+      diagonal(minus, one, one)};
+  CHECK(envelops_curve(quadratic_cones(tangent_planes_of(circle).matrix)));
+}
+
 TEST_CASE("A vertex at rest and cones without real generators are refused",
           "[quadratic_cone_envelope]") {
   const Polynomial t = power_of_t(1);

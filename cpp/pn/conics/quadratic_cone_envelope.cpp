@@ -2,6 +2,7 @@
 #include "pn/conics/quadratic_cone_envelope.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "pn/conics/stereographic_projection.hpp"
 #include "pn/geometry_error.hpp"
@@ -140,6 +141,21 @@ HomogeneousCoordinates<RealBall> in_balls(const HomogeneousCoordinates<Rational>
   return {balls(x[0]), balls(x[1]), balls(x[2]), balls(x[3])};
 }
 
+/// In the coordinates y of a generator, which are u, v, s, and t.
+using GeneratorPolynomial = MultivariatePolynomial<4>;
+
+template <std::size_t Rows, std::size_t Columns>
+std::array<std::array<GeneratorPolynomial, Columns>, Rows> in_generators(
+    const std::array<std::array<RationalPolynomial, Columns>, Rows>& m) {
+  std::array<std::array<GeneratorPolynomial, Columns>, Rows> result;
+  for (std::size_t i = 0; i < Rows; ++i) {
+    for (std::size_t j = 0; j < Columns; ++j) {
+      result[i][j] = GeneratorPolynomial(m[i][j], Variable::kT);
+    }
+  }
+  return result;
+}
+
 QuadraticCones with_moving_vertex(QuadraticCones cones) {
   if (cones.vertex_degree() == 0) {
     throw GeometryError(ErrorCode::kZeroLength,
@@ -149,6 +165,21 @@ QuadraticCones with_moving_vertex(QuadraticCones cones) {
 }
 
 }  // namespace
+
+bool envelops_curve(const QuadraticCones& cones) {
+  using P = GeneratorPolynomial;
+  const std::array<P, 3> y = {P(Variable::kU), P(Variable::kV), P(Variable::kS)};
+  const auto r = in_generators(cones.inverse);
+  const Matrix4OfPolynomials slope = derivative(cones.matrix);
+  std::array<P, 4> z, v;
+  for (std::size_t i = 0; i < 4; ++i) {
+    z[i] = contraction(r[i], y);
+    v[i] = P(cones.vertex[i], Variable::kT);
+  }
+  const std::array<P, 4> point = stereographic_projection(in_generators(slope), v, z);
+  const P second = polar_form(in_generators(derivative(slope)), point, point);
+  return quotient(second, polar_form(in_generators(family_of(cones).matrix), y, y)).has_value();
+}
 
 QuadraticConeEnvelope::QuadraticConeEnvelope(QuadraticCones cones)
     : cones_(with_moving_vertex(std::move(cones))), generators_(family_of(cones_)) {

@@ -20,6 +20,14 @@
 // one locally. With z = t^n z_n + ..., C = t^k C_k + ... the leading coefficients of z^T C' z and
 // v^T C' z would be k z_n^T C_k z_n = 0 and k v_h^T C_k z_n = 0. QED
 //
+// THEOREM. Z runs along one curve only, and there is no surface, exactly if Z^T C'' Z = 0; this is
+// a quartic form of the generators, divisible by y^T K y or not. Proof: on a curve of points that
+// all cones contain, all derivatives of x^T C x vanish. Conversely 2 Z_t^T C' Z = -Z^T C'' Z = 0
+// and Z_t^T C Z = 0 put Z_t on the tangent of the contact curve: C and C' touch nowhere along a
+// curve unless their pencil contains the square of a plane, which would contain v and give C' v =
+// 0, a vertex at rest. QED Cones that are translated are an example: all touch the curve at
+// infinity.
+//
 // DUALLY C are the planes that touch the conics of a conic surface in their planes v: z are the
 // tangents of the conics, C z the points of the surface, and Z its tangent planes.
 #pragma once
@@ -48,6 +56,10 @@ template <class T>
 ContactElements<T> dual(ContactElements<T> elements) {
   return {std::move(elements.plane), std::move(elements.point)};
 }
+
+/// All points of contact lie on one curve, and dually, all tangent planes touch a developable.
+/// Decided over Q.
+bool envelops_curve(const QuadraticCones& cones);
 
 class QuadraticConeEnvelope {
  public:
