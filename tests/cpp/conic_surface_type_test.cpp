@@ -124,6 +124,11 @@ TEST_CASE("Classes of all conics of a family", "[conic_surface_type]") {
   CHECK(thomsen_class(opening) == ThomsenClass::kA);
   CHECK(thomsen_class(opening, Rational(0L)) == ThomsenClass::kC);
   CHECK(thomsen_class(quadratic_cones(conics_of_the_dissertation())).has_value());
+  // The conics of contact of translated cones are at infinity.
+  const auto plane = contact_plane(quadratic_cones({zero, zero, t, one}, revolution));
+  REQUIRE(plane);
+  CHECK(((*plane)[0].is_zero() && (*plane)[1].is_zero() && (*plane)[2].is_zero()));
+  CHECK_FALSE(contact_plane(opening));
   // A fixed vertex or plane has none.
   const QuadraticCones fixed = quadratic_cones({0L, 0L, 0L, 1L}, diagonal(one + t, 1L, poly({-1})));
   CHECK_FALSE(thomsen_class(fixed).has_value());

@@ -41,6 +41,18 @@ bool has_rank_below_three(const Matrix4& m) {
   return true;
 }
 
+/// That of lambda : mu = -b : 2 a.
+Matrix4 quadric_of_double_zero(const Matrix4& matrix, const Matrix4& derivative) {
+  const auto [a, b, c] = pencil(matrix, derivative);
+  Matrix4 quadric;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      quadric[i][j] = Polynomial(2L) * a * derivative[i][j] - b * matrix[i][j];
+    }
+  }
+  return quadric;
+}
+
 /// Of a tangent C, C' of the variety of singular quadrics.
 ThomsenClass class_of(const Matrix4& matrix, const Matrix4& derivative) {
   const auto [a, b, c] = pencil(matrix, derivative);
@@ -48,14 +60,8 @@ ThomsenClass class_of(const Matrix4& matrix, const Matrix4& derivative) {
     return !b.is_zero() ? ThomsenClass::kD : !c.is_zero() ? ThomsenClass::kE : ThomsenClass::kF;
   }
   if (!(b * b - Polynomial(4L) * a * c).is_zero()) return ThomsenClass::kA;
-  // The double zero is lambda : mu = -b : 2 a.
-  Matrix4 quadric;
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      quadric[i][j] = Polynomial(2L) * a * derivative[i][j] - b * matrix[i][j];
-    }
-  }
-  return has_rank_below_three(quadric) ? ThomsenClass::kC : ThomsenClass::kB;
+  return has_rank_below_three(quadric_of_double_zero(matrix, derivative)) ? ThomsenClass::kC
+                                                                          : ThomsenClass::kB;
 }
 
 Matrix4 at(const Matrix4& matrix, const Rational& t) {
@@ -102,6 +108,24 @@ Vector3<Polynomial> tangent_pencil(const QuadraticCones& cones) {
 std::optional<ThomsenClass> thomsen_class(const QuadraticCones& cones) {
   if (cones.vertex_degree() == 0) return std::nullopt;
   return class_of(cones.matrix, derivative(cones.matrix));
+}
+
+std::optional<Point> contact_plane(const QuadraticCones& cones) {
+  if (thomsen_class(cones) != ThomsenClass::kC) return std::nullopt;
+  const Matrix4 slope = derivative(cones.matrix);
+  const Point first = polar_of(slope, cones.vertex);
+  const Matrix4 pair = quadric_of_double_zero(cones.matrix, slope);
+  std::size_t i = 0;
+  while (first[i].is_zero()) ++i;
+  // From 2 Q = p q^T + q p^T.
+  Point second;
+  Polynomial common;
+  for (std::size_t j = 0; j < 4; ++j) {
+    second[j] = Polynomial(2L) * first[i] * pair[i][j] - pair[i][i] * first[j];
+    common = gcd(common, second[j]);
+  }
+  for (Polynomial& x : second) x = exact_quotient(x, common);
+  return second;
 }
 
 std::optional<ThomsenClass> thomsen_class(const QuadraticCones& cones, const Rational& t) {

@@ -48,6 +48,12 @@ enum class ThomsenClass { kA, kB, kC, kD, kE, kF };
 
 /// Of all conics but finitely many; nothing when v is constant.
 std::optional<ThomsenClass> thomsen_class(const QuadraticCones& cones);
+
+/// Of a family of class C: the quadric of rank 2 is the plane p = C' v, which contains v, and this
+/// other one. The cones touch their envelope along conics in it; dually the tangent planes of the
+/// conics envelop quadratic cones. Without common zeros; nothing for other classes.
+std::optional<Vector4OfPolynomials> contact_plane(const QuadraticCones& cones);
+
 /// Of the conic at t; nothing where C(t) has a lower rank or v and v' are dependent.
 std::optional<ThomsenClass> thomsen_class(const QuadraticCones& cones, const Rational& t);
 

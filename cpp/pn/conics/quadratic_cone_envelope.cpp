@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "pn/conics/conic_surface_type.hpp"
 #include "pn/conics/stereographic_projection.hpp"
 #include "pn/geometry_error.hpp"
 
@@ -94,23 +95,52 @@ HomogeneousCoordinates<T> lifted(const QuadraticCones& cones, const Vector3<Tens
   return of_degree(z, n);
 }
 
+/// Where the conic of contact is known, its points; the generators otherwise.
 template <class T>
 HomogeneousCoordinates<T> generators_of(const QuadraticCones& cones,
-                                        const Vector3<TensorPolynomial<T>>& y, int n,
-                                        long precision) {
-  return lifted(cones, y, std::max(n, cones.vertex_degree() - 1), precision);
+                                        const std::optional<MovingConic>& contact_conic,
+                                        const Matrix3<Form<T>>& points, int n, long precision) {
+  const Vector3<TensorPolynomial<T>> y = in_t_and_u(points);
+  if (!contact_conic) {
+    return lifted(cones, y, std::max(n, cones.vertex_degree() - 1), precision);
+  }
+  HomogeneousCoordinates<T> x;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      x[i] += along_t<T>(contact_conic->frame[i][j], precision) * y[j];
+    }
+  }
+  return x;
+}
+
+/// Of the points, in t and u.
+std::array<int, 2> degree_of_points(const QuadraticCones& cones,
+                                    const std::optional<MovingConic>& contact_conic, int n) {
+  if (contact_conic) return {n, 2};
+  return {2 * n + cones.vertex_degree() + cones.degree() - 2, 4};
 }
 
 template <class T>
-ContactElements<T> elements_of(const QuadraticCones& cones, const Matrix3<Form<T>>& points, int n,
-                               long precision) {
-  const int h = cones.vertex_degree(), k = cones.degree();
-  const HomogeneousCoordinates<T> z = generators_of(cones, in_t_and_u(points), n, precision);
-  const auto c = along_t<T>(cones.matrix, precision);
+ContactElements<T> elements_of(const QuadraticCones& cones,
+                               const std::optional<MovingConic>& contact_conic,
+                               const Matrix3<Form<T>>& points, int n, long precision) {
+  const HomogeneousCoordinates<T> z = generators_of(cones, contact_conic, points, n, precision);
+  const HomogeneousCoordinates<T> plane =
+      of_degree(polar_of(along_t<T>(cones.matrix, precision), z), n + cones.degree());
+  if (contact_conic) return {z, plane};
   const auto slope = along_t<T>(derivative(cones.matrix), precision);
   const auto v = along_t<T>(cones.vertex, precision);
-  return {of_degree(stereographic_projection(slope, v, z), 2 * n + h + k - 2),
-          of_degree(polar_of(c, z), n + k)};
+  const int degree = degree_of_points(cones, contact_conic, n)[0];
+  return {of_degree(stereographic_projection(slope, v, z), degree), plane};
+}
+
+/// In class C.
+std::optional<MovingConic> contact_conic(const QuadraticCones& cones) {
+  const auto plane = contact_plane(cones);
+  if (!plane) return std::nullopt;
+  MovingConic conic{plane_basis(*plane), {}};
+  conic.conic = congruent(cones.matrix, conic.frame);
+  return conic;
 }
 
 /// In the degrees that they have over Q.
@@ -182,11 +212,13 @@ bool envelops_curve(const QuadraticCones& cones) {
 }
 
 QuadraticConeEnvelope::QuadraticConeEnvelope(QuadraticCones cones)
-    : cones_(with_moving_vertex(std::move(cones))), generators_(family_of(cones_)) {
-  const int n = generators_.degree();
-  degree_ = {2 * n + cones_.vertex_degree() + cones_.degree() - 2, 4};
-  if (const auto& points = generators_.rational_points()) {
-    const ContactElements<Rational> elements = elements_of(cones_, *points, n, 0);
+    : cones_(with_moving_vertex(std::move(cones))),
+      contact_conic_(contact_conic(cones_)),
+      conics_(contact_conic_ ? family_of(*contact_conic_) : family_of(cones_)),
+      degree_(degree_of_points(cones_, contact_conic_, conics_.degree())) {
+  if (const auto& points = conics_.rational_points()) {
+    const ContactElements<Rational> elements =
+        elements_of(cones_, contact_conic_, *points, conics_.degree(), 0);
     rational_ = {without_common_factor(elements.point), without_common_factor(elements.plane)};
     degree_ = {degree_of(rational_->point, Variable::kU),
                degree_of(rational_->point, Variable::kV)};
@@ -194,15 +226,15 @@ QuadraticConeEnvelope::QuadraticConeEnvelope(QuadraticCones cones)
 }
 
 HomogeneousCoordinates<RealBall> QuadraticConeEnvelope::generators(long precision) const {
-  const QuadraticPoints points = generators_.points(precision);
-  return generators_of(cones_, in_t_and_u(points.coordinate), points.degree, precision);
+  return generators_of(cones_, contact_conic_, conics_.points(precision).coordinate,
+                       conics_.degree(), precision);
 }
 
 ContactElements<RealBall> QuadraticConeEnvelope::contact_elements(long precision) const {
   if (rational_) {
     return {in_balls(rational_->point, precision), in_balls(rational_->plane, precision)};
   }
-  return elements_of(cones_, generators_.points(precision).coordinate, generators_.degree(),
+  return elements_of(cones_, contact_conic_, conics_.points(precision).coordinate, conics_.degree(),
                      precision);
 }
 

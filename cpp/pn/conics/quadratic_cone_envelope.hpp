@@ -20,6 +20,10 @@
 // one locally. With z = t^n z_n + ..., C = t^k C_k + ... the leading coefficients of z^T C' z and
 // v^T C' z would be k z_n^T C_k z_n = 0 and k v_h^T C_k z_n = 0. QED
 //
+// In Thomsen's class C the contact curves are the conics in which planes meet the cones
+// (contact_plane), so the envelope is their conic surface, of bidegree (n, 2) with the degree n of
+// these conics, and z are its points. The formula would give them with a factor of degree 2 in u.
+//
 // THEOREM. Z runs along one curve only, and there is no surface, exactly if Z^T C'' Z = 0; this is
 // a quartic form of the generators, divisible by y^T K y or not. Proof: on a curve of points that
 // all cones contain, all derivatives of x^T C x vanish. Conversely 2 Z_t^T C' Z = -Z^T C'' Z = 0
@@ -69,12 +73,12 @@ class QuadraticConeEnvelope {
 
   const QuadraticCones& cones() const { return cones_; }
   /// n
-  int generator_degree() const { return generators_.degree(); }
-  /// Of the points, in t and u: those of the theorem, or lower ones where common factors are
+  int generator_degree() const { return conics_.degree(); }
+  /// Of the points, in t and u: those of the theorem, or lower ones where common factors over Q are
   /// removed.
   std::array<int, 2> degree() const { return degree_; }
 
-  /// z, of degree max(n, h - 1) in t. Throws Undecided.
+  /// z, of degree max(n, h - 1) in t, or n in class C. Throws Undecided.
   HomogeneousCoordinates<RealBall> generators(long precision) const;
   /// Enclosed at about this precision. Throws Undecided.
   ContactElements<RealBall> contact_elements(long precision) const;
@@ -85,7 +89,8 @@ class QuadraticConeEnvelope {
 
  private:
   QuadraticCones cones_;
-  RationalConicFamily generators_;
+  std::optional<MovingConic> contact_conic_;
+  RationalConicFamily conics_;  ///< of contact, or of the generators
   std::optional<ContactElements<Rational>> rational_;
   std::array<int, 2> degree_;
 };

@@ -62,22 +62,6 @@ std::array<Vector3<Polynomial>, 4> right_inverse(const std::array<Vector3<Polyno
   return r;
 }
 
-/// m^T C m
-template <std::size_t Rows, std::size_t Columns>
-std::array<std::array<Polynomial, Columns>, Columns> congruent(
-    const std::array<std::array<Polynomial, Rows>, Rows>& c,
-    const std::array<std::array<Polynomial, Columns>, Rows>& m) {
-  std::array<std::array<Polynomial, Columns>, Columns> result;
-  for (std::size_t a = 0; a < Columns; ++a) {
-    for (std::size_t b = 0; b < Columns; ++b) {
-      for (std::size_t i = 0; i < Rows; ++i) {
-        for (std::size_t j = 0; j < Rows; ++j) result[a][b] += m[i][a] * c[i][j] * m[j][b];
-      }
-    }
-  }
-  return result;
-}
-
 Matrix4 without_common_factor(Matrix4 c) {
   Polynomial common;
   for (const Point& row : c) {
