@@ -21,11 +21,11 @@ PNSurface surface_of(const QuadraticCones& cones, const std::optional<ContactArc
   return PNSurface(std::make_shared<QuadraticConeSource>(cones, arc));
 }
 
-/// The cones that touch the spheres around (4 t, t^2, 0) with the squared radius 2 + t along their
-/// characteristic circles: the envelope is the canal surface.
+/// The cones that touch the spheres around (4 t, t^2, 0) with the squared radius 2 + t + t^2 along
+/// their characteristic circles: the envelope is the canal surface.
 QuadraticCones cones_of_canal() {
   const std::array<Polynomial, 3> m = {poly({0, 4}), poly({0, 0, 1}), Polynomial()};
-  const Polynomial rr = poly({2, 1}), half(Rational(1L) / Rational(2L));
+  const Polynomial rr = poly({2, 1, 1}), half(Rational(1L) / Rational(2L));
   Vector4OfPolynomials plane;
   Matrix4OfPolynomials cone;
   plane[3] = half * rr.derivative();
@@ -52,11 +52,11 @@ QuadraticCones cones_of_canal() {
 
 /// The parameter t of the sphere through a point of the canal surface, by its characteristic plane.
 double sphere_of(const std::array<double, 3>& x) {
-  // (x - m).m' + (r^2)' / 2 = 4 (x0 - 4 t) + 2 t (x1 - t^2) + 1/2
+  // (x - m).m' + (r^2)' / 2 = 4 (x0 - 4 t) + 2 t (x1 - t^2) + 1/2 + t
   double low = -0.5, high = 1.5;
   for (int i = 0; i < 60; ++i) {
     const double t = (low + high) / 2;
-    (4 * (x[0] - 4 * t) + 2 * t * (x[1] - t * t) + 0.5 > 0 ? low : high) = t;
+    (4 * (x[0] - 4 * t) + 2 * t * (x[1] - t * t) + 0.5 + t > 0 ? low : high) = t;
   }
   return (low + high) / 2;
 }
@@ -86,10 +86,10 @@ TEST_CASE("The whole envelope of cones that touch spheres is the canal surface",
     const double at = sphere_of(p.point);
     least = std::min(least, at), most = std::max(most, at);
     const std::array<double, 3> d = {p.point[0] - 4 * at, p.point[1] - at * at, p.point[2]};
-    CHECK(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] == Approx(2 + at));
+    CHECK(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] == Approx(2 + at + at * at));
     // The normals are radial.
     const double along = d[0] * p.normal[0] + d[1] * p.normal[1] + d[2] * p.normal[2];
-    CHECK(std::abs(along) == Approx(std::sqrt(2 + at)));
+    CHECK(std::abs(along) == Approx(std::sqrt(2 + at + at * at)));
   }
   CHECK(least == Approx(0).margin(1e-9));
   CHECK(most == Approx(1).epsilon(1e-4));
@@ -125,7 +125,10 @@ TEST_CASE("Bad cones are refused with their reasons", "[quadratic_cone_source]")
   CHECK_THROWS_WITH(
       surface_of(quadratic_cones({t, t * t, 0L, one}, diagonal(one, one, poly({1, -2})))),
       Catch::Contains("no real generators for t < 0.5"));
-  // On cones that open the contact curves reach infinity.
+  // On cones that open the contact curves reach infinity; here all of the first one is there.
+  CHECK_THROWS_WITH(surface_of(quadratic_cones({t, 0L, 0L, one},
+                                               diagonal(one, one, -(one + t * t) * (one + t * t)))),
+                    Catch::Contains("cone at 0 of the way"));
   CHECK(code({0L, 0L, t, one}, diagonal(one + t, one, poly({-5}))) == ErrorCode::kRegionUnbounded);
 }
 

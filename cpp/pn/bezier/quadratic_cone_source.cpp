@@ -272,12 +272,23 @@ std::array<double, 2> angles_of(const std::array<double, 3>& angles) {
   return {angles[0], angles[0] + (middle <= end ? end : end - M_PI)};
 }
 
-[[noreturn]] void refuse_unbounded(const Part& part) {
+/// Names the place where the weight was seen to be least.
+[[noreturn]] void refuse_unbounded(const Polynomial& weight, const Part& part) {
+  constexpr int kSamples = 16;
+  double least = HUGE_VAL, place = 0;
+  for (int i = 0; i <= kSamples; ++i) {
+    for (int j = 0; j <= kSamples; ++j) {
+      const double s = static_cast<double>(i) / kSamples, u = static_cast<double>(j) / kSamples;
+      const double value = weight.at(RealBall(s), RealBall(u)).midpoint();
+      if (value < least) least = value, place = s;
+    }
+  }
   char text[160];
-  std::snprintf(text, sizeof text,
-                "The contact curve of a cone at %.3g of the way reaches infinity, or nearly: only "
-                "an arc without such points is a face.",
-                (part.t[0] + part.t[1]) / 2);
+  std::snprintf(
+      text, sizeof text,
+      "The contact curve of the cone at %.3g of the way reaches infinity, or nearly: only "
+      "an arc without such points is a face.",
+      part.t[0] + place * (part.t[1] - part.t[0]));
   throw GeometryError(ErrorCode::kRegionUnbounded, text);
 }
 
@@ -289,7 +300,7 @@ void append_parts(std::vector<Part>& parts, const EnvelopeAround& surface, const
     parts.push_back(part);
     return;
   }
-  if (halvings == 0) refuse_unbounded(part);
+  if (halvings == 0) refuse_unbounded(surface.weight(part) * sign, part);
   const auto along = part.halved_along(), around = part.halved_around();
   const auto least = [&](const std::array<Part, 2>& halves) {
     return std::min(evenness(halves[0]), evenness(halves[1]));
