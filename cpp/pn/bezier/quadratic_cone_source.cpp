@@ -155,15 +155,17 @@ struct Part {
 using Polynomial = TensorPolynomial<RealBall>;
 
 /// A polynomial of formal degree n in u over [0, 1]^2, for u between two places.
-Polynomial restricted(const Polynomial& p, int n, const Part& part, const GeneratorCircle& circle) {
+Polynomial restricted(const Polynomial& p, int n, const Part& part, const GeneratorCircle& circle,
+                      long bits) {
   const Polynomial along =
       p.substituted(Variable::kU, RealBall(part.t[0]), RealBall(part.t[1]) - RealBall(part.t[0]));
   const auto begin = circle(part.angle[0]), end = circle(part.angle[1]);
   std::array<Polynomial, 2> u;
   for (std::size_t i = 0; i < 2; ++i) {
     u[i] = Polynomial(0, 1);
-    u[i](0, 0) = RealBall(begin[i]);
-    u[i](0, 1) = RealBall(end[i]) - RealBall(begin[i]);
+    // Sums and products of short doubles are not exact at the least precision.
+    u[i](0, 0) = RealBall(begin[i]).at_precision(bits);
+    u[i](0, 1) = RealBall(end[i]) - u[i](0, 0);
   }
   // Horner's scheme for sum c_k u0^(n - k) u1^k; the coefficients above the degree of p are zero.
   const auto coefficient = [&](int k) {
@@ -184,10 +186,11 @@ int degree_of(const HomogeneousCoordinates<RealBall>& x, Variable variable) {
 }
 
 HomogeneousCoordinates<RealBall> restricted(const HomogeneousCoordinates<RealBall>& x,
-                                            const Part& part, const GeneratorCircle& circle) {
+                                            const Part& part, const GeneratorCircle& circle,
+                                            long bits) {
   const int n = degree_of(x, Variable::kV);
-  return {restricted(x[0], n, part, circle), restricted(x[1], n, part, circle),
-          restricted(x[2], n, part, circle), restricted(x[3], n, part, circle)};
+  return {restricted(x[0], n, part, circle, bits), restricted(x[1], n, part, circle, bits),
+          restricted(x[2], n, part, circle, bits), restricted(x[3], n, part, circle, bits)};
 }
 
 /// An envelope and the places of its generators.
@@ -199,11 +202,11 @@ struct EnvelopeAround {
       : envelope(std::move(cones)), circle(envelope.envelope()) {}
 
   HomogeneousCoordinates<RealBall> on(const Part& part, long bits) const {
-    return restricted(envelope.at(bits), part, circle);
+    return restricted(envelope.at(bits), part, circle, bits);
   }
   Polynomial weight(const Part& part) const {
     const HomogeneousCoordinates<RealBall>& x = envelope.at(kWeightBits);
-    return restricted(x[3], degree_of(x, Variable::kV), part, circle);
+    return restricted(x[3], degree_of(x, Variable::kV), part, circle, kWeightBits);
   }
 };
 
