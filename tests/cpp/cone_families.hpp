@@ -23,20 +23,6 @@ inline Matrix4OfPolynomials cone_matrix(const std::array<Vector3<RationalPolynom
   return result;
 }
 
-/// M^T C M
-inline Matrix4OfPolynomials transformed(const Matrix4OfPolynomials& c,
-                                        const Matrix4OfPolynomials& m) {
-  Matrix4OfPolynomials result;
-  for (std::size_t a = 0; a < 4; ++a) {
-    for (std::size_t b = 0; b < 4; ++b) {
-      for (std::size_t i = 0; i < 4; ++i) {
-        for (std::size_t j = 0; j < 4; ++j) result[a][b] += m[i][a] * c[i][j] * m[j][b];
-      }
-    }
-  }
-  return result;
-}
-
 /// Planes of the degrees f, and K_ij of degree k - f_i - f_j: of degree k, with a vertex of degree
 /// f_1 + f_2 + f_3 as a rule. Of signature (2, 1) for real t.
 inline Matrix4OfPolynomials random_cone_matrix(RandomConics& random, const Vector3<int>& f, int k) {
@@ -44,7 +30,6 @@ inline Matrix4OfPolynomials random_cone_matrix(RandomConics& random, const Vecto
   for (auto& row : a) {
     for (std::size_t j = 0; j < 3; ++j) row[j] = random.any(f[j]);
   }
-  // Squares s_i^2 with positive factors keep the signs: K = L diag(+, +, -) L^T, L = 1 + nilpotent.
   const auto half = [&](std::size_t i) { return std::max((k - 2 * f[i]) / 2, 0); };
   const Conic d =
       diagonal(random.positive(half(0)), random.positive(half(1)), -random.positive(half(2)));
@@ -62,7 +47,7 @@ inline Matrix4OfPolynomials conics_of_the_dissertation() {
                                    {zero, p, zero, zero},
                                    {zero, zero, q, conic_polynomial({0, -2})},
                                    {zero, zero, conic_polynomial({0, 2}), q}}};
-  return transformed(base, m);
+  return congruent(base, m);
 }
 
 }  // namespace pn::test

@@ -59,7 +59,7 @@ TEST_CASE("Points of conics given by their tangent planes", "[moving_conic]") {
   const Matrix4 circle = {{{4L, 0L, 0L, 0L}, {0L, 4L, 0L, 0L}, {}, {0L, 0L, 0L, -poly({1})}}};
   const Matrix4 back = {
       {{1L, 0L, 0L, 0L}, {0L, 1L, 0L, 0L}, {0L, 0L, 1L, 0L}, {zero, zero, t, 1L}}};
-  const MovingConic conic = conic_of_tangent_planes(transformed(circle, back));
+  const MovingConic conic = conic_of_tangent_planes(congruent(circle, back));
   const RationalConicFamily points(family_of(conic));
   CHECK(points.least_degree() == 1);
   const QuadraticPoints y = points.points(128);

@@ -69,7 +69,7 @@ TEST_CASE("The conic surface of the dissertation: matrix, plane, polar triangle"
           "[printed_conics]") {
   const json& example = conic_cases()["conic_surface"];
   const auto c = matrix_of<4>(example["C"]);
-  CHECK(transformed(matrix_of<4>(example["base"]), matrix_of<4>(example["M"])) == c);
+  CHECK(congruent(matrix_of<4>(example["base"]), matrix_of<4>(example["M"])) == c);
   CHECK(conics_of_the_dissertation() == c);
   const QuadraticCones cones = quadratic_cones(c);
   const auto gamma = vector_of<4>(example["gam"]);
@@ -86,7 +86,7 @@ TEST_CASE("The conic surface of the dissertation: matrix, plane, polar triangle"
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < 4; ++j) transposed[j][i] = t[i][j], multiple[i][j] *= factor;
   }
-  CHECK(transformed(c, transposed) == multiple);
+  CHECK(congruent(c, transposed) == multiple);
   CHECK(value(example["printed"]["TCT02"].get<std::string>(), in_t()) != projected[0][2]);
 
   // g, eta, zeta are conjugate in pairs and p is the pole of g, also in space.

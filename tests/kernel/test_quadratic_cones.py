@@ -34,6 +34,23 @@ def samples(surface):
     return surface.evaluate(t.ravel(), v.ravel())
 
 
+def distance_of(surface, point):
+    """By samples that close in on the nearest point of every face."""
+    nearest = []
+    for face in range(len(surface.bsplines())):
+        low, high = np.array([face, 0.0]), np.array([face + 1 - 1e-9, 1.0])
+        for _ in range(30):
+            t, v = np.meshgrid(*np.linspace(low, high, 9).T)
+            points, _ = surface.evaluate(t.ravel(), v.ravel())
+            distances = np.linalg.norm(points - point, axis=1)
+            best = np.argmin(distances)
+            place, width = np.array([t.ravel()[best], v.ravel()[best]]), 0.3 * (high - low)
+            low = np.clip(place - width, [face, 0], [face + 1 - 1e-9, 1])
+            high = np.clip(place + width, [face, 0], [face + 1 - 1e-9, 1])
+        nearest.append(distances[best])
+    return min(nearest)
+
+
 ARC = [[4, 2, 6], [6, 0, 6], [4, -2, 6]]
 
 
@@ -89,3 +106,49 @@ def test_bad_cones_are_refused():
     code("wrong_shape", vertex, directions, arc=ARC[:2])
     code("wrong_shape", np.eye(4)[None])
     code("singular_conics", np.diag([1.0, 1, 0, 0])[None])
+
+
+def test_cones_of_revolution_agree_with_the_envelope_of_their_spheres():
+    # Spheres a, r and b, s, linear in t: the cones have the vertices (r b - s a) / (r - s) and, with the
+    # axis c = b - a, the directions (c.c - (s - r)²) d.d = (c.d)².
+    a, b = np.array([[0, 0, 0], [0, 0, 20]]), np.array([[30, 0, -2], [30, 4, 22]])
+    r, s = np.array([4, 5]), np.array([8, 7])
+    line = (1, [0, 1], [2, 2])
+    spheres = pn.cone_envelope(
+        pn.Curve.bspline(*line, a), pn.Law.bspline(*line, r),
+        pn.Curve.bspline(*line, b), pn.Law.bspline(*line, s))
+
+    def product(p, q):
+        """Of linear polynomials, by Bernstein coefficients."""
+        return np.array([p[0] * q[0], (p[0] * q[1] + p[1] * q[0]) / 2, p[1] * q[1]])
+
+    c = b - a
+    columns = [product(r, b[:, i]) - product(s, a[:, i]) for i in range(3)]
+    weight = product(r - s, np.ones(2))
+    square = sum(product(c[:, i], c[:, i]) for i in range(3)) - product(s - r, s - r)
+    directions = np.array([
+        [square * (i == j) - product(c[:, i], c[:, j]) for j in range(3)] for i in range(3)])
+    points, _ = spheres.evaluate([0.5, 0.5, 0.5], [0.25, 0.5, 0.75])
+    cones = pn.quadratic_cone_envelope(
+        np.stack([*columns, weight], axis=-1), np.moveaxis(directions, -1, 0), arc=points)
+
+    def linear(p):
+        return Polynomial([p[0], p[1] - p[0]])
+
+    centre, axis = [linear(a[:, i]) for i in range(3)], [linear(c[:, i]) for i in range(3)]
+    radius, slope = linear(r), linear(s - r)
+    axis_squared = sum(e * e for e in axis)
+
+    def touching(x):
+        """|F| at the root of dF/dt where it is least: F is the discriminant in v of the spheres
+        |x - a - v c|² = (r + v (s - r))²."""
+        arm = [x[i] - centre[i] for i in range(3)]
+        along, arm_squared = sum(e * f for e, f in zip(arm, axis)), sum(e * e for e in arm)
+        f = (arm_squared - radius**2) * (axis_squared - slope**2) - (along + radius * slope) ** 2
+        roots = [t.real for t in f.deriv().roots() if abs(t.imag) < 1e-7 and -0.1 < t.real < 1.1]
+        return min(abs(f(t)) for t in roots) / axis_squared(0) ** 2
+
+    of_spheres, _ = spheres.evaluate([0.1, 0.4, 0.8], [0.2, 0.5, 0.9])
+    of_cones, _ = samples(cones)
+    assert max(touching(x) for x in [*of_spheres, *of_cones]) < 1e-11
+    assert all(distance_of(cones, point) < 1e-6 for point in points)
