@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "pn/algebra/parallel.hpp"
 #include "pn/algebra/roots.hpp"
@@ -36,11 +35,6 @@ double rounded_weight(const RealBall& x) {
   throw Undecided("the last place of a weight");
 }
 
-double unit_in_last_place(double x) {
-  x = std::abs(x);
-  return std::nextafter(x, std::numeric_limits<double>::infinity()) - x;
-}
-
 using Point = std::array<double, 3>;
 
 double length(const Point& v) { return std::hypot(v[0], v[1], v[2]); }
@@ -51,9 +45,13 @@ std::array<RealBall, 3> pole_at(const NetPole& pole, const RealBall& distance) {
           pole.point[2] + distance * pole.direction[2]};
 }
 
-/// How far a pole that replaces another lies from it, and by what factor their weights differ.
+/// How far one pole lies from another, and by what part their weights differ.
 struct Difference {
   double pole = 0, weight = 0;
+  void include(const Difference& other) {
+    pole = std::max(pole, other.pole);
+    weight = std::max(weight, other.weight);
+  }
 };
 
 Difference difference(const NetPole& own, const NetPole& shared, const RealBall& distance) {
@@ -75,18 +73,35 @@ struct Box {
   double diagonal() const { return length({high[0] - low[0], high[1] - low[1], high[2] - low[2]}); }
 };
 
-/// The largest diagonal of the boxes around the poles that are active on one knot span along the
-/// spine.
+/// The indices of the control points that are active on one span of such knots.
+struct ActiveRange {
+  std::size_t begin, end;
+};
+
+std::vector<ActiveRange> active_ranges(int degree, const std::vector<int>& multiplicities) {
+  std::vector<ActiveRange> ranges;
+  std::size_t end = 0;
+  for (std::size_t span = 0; span + 1 < multiplicities.size(); ++span) {
+    end += static_cast<std::size_t>(multiplicities[span]);
+    ranges.push_back({end - static_cast<std::size_t>(degree) - 1, end});
+  }
+  return ranges;
+}
+
+/// The largest diagonal of the boxes around the poles that are active on one span of both knot
+/// vectors.
 double active_diameter(const BSplineSurface& surface) {
   const std::size_t columns = surface.v_count();
+  const auto across = active_ranges(surface.v_degree, surface.v_multiplicities);
   double diameter = 0;
-  std::size_t last = 0;
-  for (std::size_t span = 0; span + 1 < surface.u_knots.size(); ++span) {
-    last += static_cast<std::size_t>(surface.u_multiplicities[span]);
-    const std::size_t end = last, begin = end - static_cast<std::size_t>(surface.u_degree) - 1;
-    Box box;
-    for (std::size_t i = begin * columns; i < end * columns; ++i) box.add(surface.poles[i]);
-    diameter = std::max(diameter, box.diagonal());
+  for (const ActiveRange& u : active_ranges(surface.u_degree, surface.u_multiplicities)) {
+    for (const ActiveRange& v : across) {
+      Box box;
+      for (std::size_t i = u.begin; i < u.end; ++i) {
+        for (std::size_t j = v.begin; j < v.end; ++j) box.add(surface.poles[i * columns + j]);
+      }
+      diameter = std::max(diameter, box.diagonal());
+    }
   }
   return diameter;
 }
@@ -104,11 +119,16 @@ double estimated_size(const FaceNet& face, double distance) {
 }
 
 /// How far a rounded pole is from the true one at most.
-double rounding_error(const Point& pole, double size) {
-  const double negligible = std::ldexp(size, -kNegligibleBits);
-  return length({std::max(unit_in_last_place(pole[0]), negligible),
-                 std::max(unit_in_last_place(pole[1]), negligible),
-                 std::max(unit_in_last_place(pole[2]), negligible)});
+double rounding_error(const Point& rounded, const std::array<RealBall, 3>& pole) {
+  Point error;
+  for (std::size_t c = 0; c < 3; ++c) error[c] = (pole[c] - RealBall(rounded[c])).magnitude_upper();
+  return length(error);
+}
+
+/// The largest |e| for rounded = weight (1 + e).
+double relative_rounding_error(double rounded, const RealBall& weight) {
+  const double error = (weight - RealBall(rounded)).magnitude_upper();
+  return error / (rounded - error);
 }
 
 RoundedFace rounded(const FaceNet& face, double exact_distance) {
@@ -118,20 +138,21 @@ RoundedFace rounded(const FaceNet& face, double exact_distance) {
   const double size = estimated_size(face, exact_distance);
   surface.poles.resize(face.poles.size());
   surface.weights.resize(face.poles.size());
+  std::vector<Difference> rounding(rows);
   for_each_index_in_blocks(rows, kRowsPerTask, [&](std::size_t row) {
     for (std::size_t i = row * columns; i < (row + 1) * columns; ++i) {
       const auto pole = pole_at(face.poles[i], distance);
       for (std::size_t c = 0; c < 3; ++c) surface.poles[i][c] = rounded_coordinate(pole[c], size);
       surface.weights[i] = rounded_weight(face.poles[i].weight);
+      rounding[row].include({rounding_error(surface.poles[i], pole),
+                             relative_rounding_error(surface.weights[i], face.poles[i].weight)});
     }
   });
-  double delta = 0;
-  for (const Point& pole : surface.poles) delta = std::max(delta, rounding_error(pole, size));
+  Difference rounded;
+  for (const Difference& row : rounding) rounded.include(row);
   Difference largest;
   const auto compare = [&](const NetPole& own, const NetPole& shared) {
-    const Difference d = difference(own, shared, distance);
-    largest.pole = std::max(largest.pole, d.pole);
-    largest.weight = std::max(largest.weight, d.weight);
+    largest.include(difference(own, shared, distance));
   };
   for (std::size_t j = 0; j < face.replaced_first.size(); ++j) {
     compare(face.replaced_first[j], face.poles[j]);
@@ -139,8 +160,8 @@ RoundedFace rounded(const FaceNet& face, double exact_distance) {
   for (std::size_t j = 0; j < face.replaced_last.size(); ++j) {
     compare(face.replaced_last[j], face.poles[face.poles.size() - face.replaced_last.size() + j]);
   }
-  delta += largest.pole;
-  const double epsilon = std::numeric_limits<double>::epsilon() + 2 * largest.weight;
+  const double delta = rounded.pole + largest.pole;
+  const double epsilon = rounded.weight + 2 * largest.weight;
   // The theorem asks for eps < 1: rows whose weights differ by more do not make one edge.
   if (!(epsilon < 1)) {
     throw GeometryError(ErrorCode::kWeightsNotPositive,
