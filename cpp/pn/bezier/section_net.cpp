@@ -24,14 +24,20 @@ constexpr int kNegligibleBits = 90;
 /// The arithmetic of the bounds below rounds by a few hundred units in the last place at most.
 constexpr double kRoundingOfBounds = 1 + 1e-12;
 
-double rounded_coordinate(const RealBall& x, double size) {
-  if (const auto nearest = x.rounded()) return *nearest;
-  if (x.magnitude_upper() <= std::ldexp(size, -kNegligibleBits)) return 0;
+/// A double for an exact number, and how far they are from each other at most.
+struct RoundedNumber {
+  double value, error;
+};
+
+RoundedNumber rounded_coordinate(const RealBall& x, double size) {
+  if (const auto nearest = x.rounded()) return {*nearest, x.rounding_error()};
+  const double magnitude = x.magnitude_upper();
+  if (magnitude <= std::ldexp(size, -kNegligibleBits)) return {0, magnitude};
   throw Undecided("the last place of a pole");
 }
 
-double rounded_weight(const RealBall& x) {
-  if (const auto nearest = x.rounded()) return *nearest;
+RoundedNumber rounded_weight(const RealBall& x) {
+  if (const auto nearest = x.rounded()) return {*nearest, x.rounding_error()};
   throw Undecided("the last place of a weight");
 }
 
@@ -118,19 +124,6 @@ double estimated_size(const FaceNet& face, double distance) {
   return size;
 }
 
-/// How far a rounded pole is from the true one at most.
-double rounding_error(const Point& rounded, const std::array<RealBall, 3>& pole) {
-  Point error;
-  for (std::size_t c = 0; c < 3; ++c) error[c] = (pole[c] - RealBall(rounded[c])).magnitude_upper();
-  return length(error);
-}
-
-/// The largest |e| for rounded = weight (1 + e).
-double relative_rounding_error(double rounded, const RealBall& weight) {
-  const double error = (weight - RealBall(rounded)).magnitude_upper();
-  return error / (rounded - error);
-}
-
 RoundedFace rounded(const FaceNet& face, double exact_distance) {
   const RealBall distance(exact_distance);
   BSplineSurface surface = face.frame;
@@ -142,10 +135,15 @@ RoundedFace rounded(const FaceNet& face, double exact_distance) {
   for_each_index_in_blocks(rows, kRowsPerTask, [&](std::size_t row) {
     for (std::size_t i = row * columns; i < (row + 1) * columns; ++i) {
       const auto pole = pole_at(face.poles[i], distance);
-      for (std::size_t c = 0; c < 3; ++c) surface.poles[i][c] = rounded_coordinate(pole[c], size);
-      surface.weights[i] = rounded_weight(face.poles[i].weight);
-      rounding[row].include({rounding_error(surface.poles[i], pole),
-                             relative_rounding_error(surface.weights[i], face.poles[i].weight)});
+      Point errors;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const RoundedNumber coordinate = rounded_coordinate(pole[c], size);
+        surface.poles[i][c] = coordinate.value;
+        errors[c] = coordinate.error;
+      }
+      const RoundedNumber weight = rounded_weight(face.poles[i].weight);
+      surface.weights[i] = weight.value;
+      rounding[row].include({length(errors), weight.error / (weight.value - weight.error)});
     }
   });
   Difference rounded;
