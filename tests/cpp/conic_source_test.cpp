@@ -122,6 +122,80 @@ TEST_CASE("Ellipses that become thin one way and then the other take several fac
   CHECK(end == 1);
 }
 
+namespace {
+
+/// Points of a face inside its trims near their edges and in the middle.
+std::vector<std::array<double, 3>> points_of_edges(const BSplineSurface& face) {
+  const SurfaceEvaluation evaluation(face);
+  std::vector<std::array<double, 3>> points;
+  for (const ParameterCurve& edge : face.trims.front()) {
+    for (int k = 0; k <= 10; ++k) {
+      const auto [u, v] = evaluate(edge, k / 10.0);
+      points.push_back(evaluation(u, v));
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("Arcs of ellipses, parabolas and hyperbolas are one surface with exact conics",
+          "[conic_source]") {
+  // x^2 + (1/2 - t) y^2 = y below y = 1.
+  Conic conic = diagonal(0L, 2L, poly({1, -2}));
+  conic[0][2] = conic[2][0] = -1L;
+  for (const Lines lines : {Lines::kEven, Lines::kLowestDegree}) {
+    const PNSurface surface =
+        surface_of({ConicSpan{upright(conic), Vector3<RationalPolynomial>{1L, 0L, -1L}}});
+    for (const BSplineSurface& face : surface.faces(lines)) {
+      REQUIRE(face.trims.size() == 1);
+      for (const auto& [x, y, z] : points_of_edges(face)) {
+        CHECK(x * x + (0.5 - z / 10) * y * y == Approx(y).margin(1e-12));
+        CHECK(y < 1 + 1e-12);
+        // Edges are the ends of arcs or the first and the last arc.
+        CHECK(std::min({std::abs(y - 1), std::abs(z), std::abs(z - 10)}) < 1e-11);
+      }
+    }
+    CHECK(surface.certificate(lines).trim_deviation < 1e-12);
+    CHECK(surface.certificate(lines).deviation < 1e-13);
+  }
+}
+
+TEST_CASE("Cuts that take no finite arc are refused, and the place is named", "[conic_source]") {
+  const Conic circle = diagonal(-1L, 1L, 1L);
+  Conic parabola = diagonal(0L, 1L, 0L);
+  parabola[0][2] = parabola[2][0] = -1L;
+  const auto refusal = [](const Conic& c, const Vector3<RationalPolynomial>& cut) {
+    try {
+      ConicSource({{upright(c), cut}});
+    } catch (const GeometryError& error) {
+      return to_string(error.code()) + ": " + error.what();
+    }
+    return std::string("none");
+  };
+  // The line leaves the circle at t = 1/2.
+  CHECK_THAT(refusal(circle, {poly({0, 2}), 0L, 1L}),
+             Catch::StartsWith("region_empty") && Catch::Contains("t = 0.5"));
+  // The other side of the parabola, from the start.
+  CHECK_THAT(refusal(parabola, {-1L, 0L, 1L}),
+             Catch::StartsWith("region_unbounded") && Catch::Contains("t = 0 "));
+  // x^2 + (1/4 - t) y^2 = y above y = 1: the ellipses open at t = 1/4.
+  Conic opening = diagonal(0L, 4L, poly({1, -4}));
+  opening[0][2] = opening[2][0] = -2L;
+  CHECK_THAT(refusal(opening, {-1L, 0L, 1L}),
+             Catch::StartsWith("region_unbounded") && Catch::Contains("t = 0.25"));
+  // x^2 - y^2 = 1, and the line turns until it is parallel to an asymptote.
+  CHECK_THAT(refusal(diagonal(1L, -1L, 1L), {2L, -1L, poly({0, 2})}),
+             Catch::StartsWith("region_unbounded") && Catch::Contains("t = 0.5"));
+  // A hyperbola whose arc becomes a corner of its asymptotes.
+  CHECK_THAT(refusal(diagonal(poly({1, -2}), -1L, 1L), {2L, -1L, 0L}),
+             Catch::StartsWith("region_unbounded") && Catch::Contains("t = 0.5"));
+  CHECK(code_of([&] {
+          ConicSource({{upright(circle), Vector3<RationalPolynomial>{0L, 0L, 1L}},
+                       {upright(circle, 1), {}}});
+        }) == ErrorCode::kWrongShape);
+}
+
 TEST_CASE("Conics that are no ellipses and ellipses without points are refused", "[conic_source]") {
   const auto code = [](const Conic& c) {
     return code_of([&] { ConicSource({{upright(c), {}}}); });

@@ -1,11 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Surfaces of moving ellipses against their equation."""
+"""Surfaces of moving conics against their equation."""
 
 import numpy as np
 import pnkernel as pn
 import pnocct
 import pytest
-from conics import parameter_of, random_ellipses, residual, upright_frame
+from conics import (
+    beyond_cut,
+    parameter_of,
+    random_arcs,
+    random_ellipses,
+    residual,
+    upright_frame,
+)
 from splines import surface_point
 from test_errors import refused
 
@@ -149,6 +156,80 @@ def test_ellipses_in_turning_planes():
         for u, x in samples(face, 4, 5):
             t = parameter_of(frame, x, u)
             assert residual(span, t, x) < TIGHT
+
+
+# k of random_arcs: ellipses, parabolas at the start, hyperbolas, and from ellipses to hyperbolas.
+KINDS = {
+    "ellipses": (0.5, 0.75),
+    "parabolas": (0, 0.25),
+    "hyperbolas": (-0.5, -0.25),
+    "all": (0.5, -0.5),
+}
+
+
+@pytest.mark.parametrize("lines", ["even", "lowest_degree"])
+@pytest.mark.parametrize("degree", [1, 2, 3])
+@pytest.mark.parametrize("kinds", KINDS)
+@pytest.mark.parametrize("seed", range(2))
+def test_arcs_lie_on_their_conics_and_end_on_their_cuts(seed, kinds, degree, lines):
+    span = (upright_frame(4), *random_arcs(np.random.default_rng(seed), degree, KINDS[kinds]))
+    surface = pn.conic_surface(*span)
+    certificate = surface.certificate_of(lines)
+    assert certificate.deviation < 1e-12 and certificate.trim_deviation < 1e-11
+    faces = surface.bsplines(lines)
+    for face in faces:
+        for _, x in samples(face, 4, 5):
+            assert residual(span, x[2] / 4, x) < TIGHT
+        ((low, right, high, left),) = face.trims
+        for edge in low, high:
+            for u, v in edge.poles[:: len(edge.poles) - 1]:
+                x = surface_point(face, u, v)
+                assert abs(beyond_cut(span, x[2] / 4, x)) < 1e-11
+        middle = (low.poles[0] + high.poles[-1]) / 2
+        x = surface_point(face, *middle)
+        assert beyond_cut(span, x[2] / 4, x) > 0
+    assert pnocct.check(pnocct.shell(faces), boolean=True) == []
+
+
+@pytest.mark.parametrize("lines", ["even", "lowest_degree"])
+@pytest.mark.parametrize("seed", range(3))
+def test_neighbouring_arcs_hang_together(seed, lines):
+    random = np.random.default_rng(seed)
+    first, second = random_arcs(random, 2, (0.5, 0)), random_arcs(random, 2, (0, -0.5))
+    # The same conic with the same side of its cut, of other size.
+    second[0][0], second[1][0] = 3 * first[0][-1], 2 * first[1][-1]
+    raised = upright_frame(7)
+    raised[:, 2, 0] += 4
+    spans = [(upright_frame(4), *first), (raised, *second)]
+    faces = pn.conic_surface_of_spans(spans).bsplines(lines)
+    shell = pnocct.shell(faces)
+    assert shell.splitlines().count("Sh") == 1
+    assert pnocct.check(shell, boolean=True) == []
+    shifted = second[1] * np.array([1.25, 1, 1])
+    refused("gap", lambda: pn.conic_surface_of_spans([spans[0], (raised, second[0], shifted)]))
+    ellipses = random_arcs(random, 1, (0.5, 0.5))
+    opposite = ellipses[0], -ellipses[1]
+    refused("gap", lambda: pn.conic_surface_of_spans([
+        (upright_frame(4), *[part[::-1] for part in ellipses]), (raised, *opposite)
+    ]))
+
+
+@pytest.mark.parametrize("lines", ["even", "lowest_degree"])
+def test_sectors_of_circles_have_known_areas(lines):
+    # Arcs of 90, 180 and 300 degrees of circles of radius 2 over a height of 5.
+    circle = np.diag([-4.0, 1, 1])[None]
+    for cut, angle in ([-np.sqrt(2), 0, 1], 90), ([0, 0, 1.0], 180), ([np.sqrt(3), 0, 1], 300):
+        surface = pn.conic_surface(upright_frame(5), circle, np.array([cut]))
+        shell = pnocct.shell(surface.bsplines(lines))
+        assert pnocct.area(shell) == pytest.approx(np.radians(angle) * 2 * 5, rel=1e-12)
+
+
+def test_a_parabolic_trough_has_the_area_of_its_arc():
+    parabola = np.zeros((1, 3, 3))
+    parabola[0, 1, 1], parabola[0, 0, 2], parabola[0, 2, 0] = 1, -0.5, -0.5
+    surface = pn.conic_surface(upright_frame(3), parabola, np.array([[1.0, 0, -1]]))
+    length = np.sqrt(5) + np.arcsinh(2) / 2  # of y = x^2, -1 < x < 1
+    assert pnocct.area(pnocct.shell(surface.bsplines())) == pytest.approx(3 * length, rel=1e-12)
 
 
 def test_what_crosses_itself_is_found():

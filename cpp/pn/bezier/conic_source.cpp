@@ -2,12 +2,15 @@
 #include "pn/bezier/conic_source.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "pn/algebra/parallel.hpp"
 #include "pn/algebra/rational_matrix.hpp"
+#include "pn/bezier/band_trims.hpp"
 #include "pn/bezier/segment_faces.hpp"
 #include "pn/geometry_error.hpp"
 
@@ -27,14 +30,53 @@ std::string place(double t, std::size_t span, std::size_t count) {
   return text;
 }
 
-void check_ellipses(const ConicPoints& conics, std::size_t span, std::size_t count) {
-  const Polynomial ellipticity = conics.ellipticity();
-  if (is_positive_on_unit_interval(ellipticity)) return;
-  const bool at_start = ellipticity(Rational(0)).sign() <= 0;
-  const double s = at_start ? 0 : roots_in_unit_interval(ellipticity).front().value.midpoint();
-  throw GeometryError(ErrorCode::kRegionUnbounded,
-                      "The conic " + place(conics.t_at(s), span, count) +
-                          " is no ellipse: it has points at infinity.");
+/// Where a polynomial is not positive on [0, 1], first of all: at the start or at a root.
+std::optional<double> first_not_positive(const Polynomial& p) {
+  if (is_positive_on_unit_interval(p)) return std::nullopt;
+  if (p(Rational(0)).sign() <= 0) return 0;
+  const std::vector<RealRoot> roots = roots_in_unit_interval(p);
+  return std::min_element(roots.begin(), roots.end(),
+                          [](const RealRoot& a, const RealRoot& b) {
+                            return a.value.midpoint() < b.value.midpoint();
+                          })
+      ->value.midpoint();
+}
+
+/// A span among others, for sentences.
+struct NumberedSpan {
+  const ConicPoints& conics;
+  std::size_t number, count;
+
+  std::string place(double s) const { return pn::place(conics.t_at(s), number, count); }
+};
+
+void check_ellipses(const NumberedSpan& span) {
+  if (const auto s = first_not_positive(span.conics.invariants().infinity)) {
+    throw GeometryError(ErrorCode::kRegionUnbounded,
+                        "The conic " + span.place(*s) +
+                            " is no ellipse: it has points at infinity, and no cut takes a finite "
+                            "part of it.");
+  }
+}
+
+/// Finite parts, by conic_points.hpp.
+void check_arcs(const NumberedSpan& span) {
+  const auto [infinity, mixed, cut] = span.conics.invariants();
+  if (const auto s = first_not_positive(-cut)) {
+    throw GeometryError(ErrorCode::kRegionEmpty, "The line that cuts the conic " + span.place(*s) +
+                                                     " does not meet it in two points.");
+  }
+  const auto refuse = [&](double s) {
+    throw GeometryError(ErrorCode::kRegionUnbounded,
+                        "The part of the conic " + span.place(s) +
+                            " on the positive side of the line that cuts it is no finite arc.");
+  };
+  // From here on [c, w] is not zero where [w, w] is not positive, so it keeps its sign there.
+  if (const auto s = first_not_positive(mixed * mixed - infinity * cut)) refuse(*s);
+  if (infinity(Rational(0)).sign() <= 0 && mixed(Rational(0)).sign() >= 0) refuse(0);
+  const auto bad = infinity.is_zero() ? std::vector<RealRoot>{}
+                                      : roots_in_unit_interval_without_positive(infinity, -mixed);
+  if (!bad.empty()) refuse(bad.front().value.midpoint());
 }
 
 /// The planes that touch a conic, e^T D e = 0, at an end of its span: D by its ten entries.
@@ -70,13 +112,44 @@ std::size_t rank(const std::vector<Rational>& upper_triangle) {
   return row_echelon_form(matrix).size();
 }
 
-bool ends_where_begins(const ConicSpan& span, const ConicSpan& next) {
+bool have_one_conic(const ConicSpan& span, const ConicSpan& next) {
   const auto end = tangent_planes_at(span.conic, 1), begin = tangent_planes_at(next.conic, 0);
   return row_echelon_form({end, begin}).size() == 1 && rank(end) == 3;
 }
 
+/// The pole of the cut at an end of a span, with the sign of its positive side.
+std::vector<Rational> pole_at(const ConicSpan& span, int end) {
+  const Matrix3<Polynomial> dual = adjugate(span.conic.conic);
+  const Rational t(long{end});
+  std::vector<Rational> pole;
+  for (const Vector3<Polynomial>& row : span.conic.frame) {
+    Rational sum;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) sum += row[i](t) * dual[i][j](t) * (*span.cut)[j](t);
+    }
+    pole.push_back(sum);
+  }
+  return pole;
+}
+
+bool are_cut_alike(const ConicSpan& span, const ConicSpan& next) {
+  if (!span.cut) return true;
+  const auto a = pole_at(span, 1), b = pole_at(next, 0);
+  Rational product;
+  for (std::size_t c = 0; c < 4; ++c) product += a[c] * b[c];
+  return row_echelon_form({a, b}).size() == 1 && product.sign() > 0;
+}
+
+bool ends_where_begins(const ConicSpan& span, const ConicSpan& next) {
+  return have_one_conic(span, next) && are_cut_alike(span, next);
+}
+
 void check_joints(const std::vector<ConicSpan>& spans) {
   for (std::size_t i = 0; i + 1 < spans.size(); ++i) {
+    if (spans[i].cut.has_value() != spans[i + 1].cut.has_value()) {
+      throw GeometryError(ErrorCode::kWrongShape,
+                          "Some spans have a cut and some have none; all need one, or none.");
+    }
     if (ends_where_begins(spans[i], spans[i + 1])) continue;
     throw GeometryError(ErrorCode::kGap,
                         "Span " + std::to_string(i + 2) +
@@ -87,14 +160,40 @@ void check_joints(const std::vector<ConicSpan>& spans) {
 
 std::shared_ptr<const ConicPoints> points_of(const ConicSpan& span, std::size_t index,
                                              std::size_t count) {
-  auto conics = std::make_shared<const ConicPoints>(span.conic);
-  check_ellipses(*conics, index, count);
+  auto conics = std::make_shared<const ConicPoints>(span);
+  const NumberedSpan numbered{*conics, index, count};
+  span.cut ? check_arcs(numbered) : check_ellipses(numbered);
   if (conics->degree() > kLargestDegree) {
     throw GeometryError(
         ErrorCode::kDegreeTooHigh,
         "The surface has degree " + std::to_string(conics->degree()) + " along t; 25 is the most.");
   }
   return conics;
+}
+
+/// Where an arc begins and ends in its band, by the form of its cut: the zeros s of a (1 - s)^2 + 2
+/// b s (1 - s) + c s^2, for b > 0 and a, c <= 0.
+double low_end(const FormInU<double>& cut, double t) {
+  const double a = cut.coefficient[0](t), b = cut.coefficient[1](t), c = cut.coefficient[2](t);
+  const double sum = b + std::sqrt(b * b - a * c);
+  return -a / (sum - a);
+}
+
+double high_end(const FormInU<double>& cut, double t) {
+  const double a = cut.coefficient[0](t), b = cut.coefficient[1](t), c = cut.coefficient[2](t);
+  const double sum = b + std::sqrt(b * b - a * c);
+  return sum / (sum - c);
+}
+
+BandSides ends_of_arcs(const std::vector<ConicSegment>& segments, bool closed) {
+  std::array<std::vector<BandSide::Span>, 2> spans;
+  for (const ConicSegment& segment : segments) {
+    spans[0].push_back(
+        {segment.begin, segment.end, [cut = segment.cut](double t) { return low_end(cut, t); }});
+    spans[1].push_back(
+        {segment.begin, segment.end, [cut = segment.cut](double t) { return high_end(cut, t); }});
+  }
+  return band_sides(std::move(spans), closed);
 }
 
 }  // namespace
@@ -116,16 +215,24 @@ std::array<int, 2> ConicSource::degree() const {
 }
 
 TrimmableNet ConicSource::net(Lines lines, long precision) const {
-  const std::vector<SectionSegment> segments = lined_segments(chain_, lines, precision);
+  const std::vector<ConicSegment> segments = lined_segments(chain_, lines, precision);
   SegmentChain chain{{}, chain_.closed, SpansAlong::kOne};
-  for (const SectionSegment& segment : segments) chain.segments.push_back(&segment);
+  for (const ConicSegment& segment : segments) chain.segments.push_back(&segment);
   std::vector<FaceNet> faces;
-  for (SegmentFace& face : segment_faces(chain, lines, precision)) faces.push_back(std::move(face));
-  const std::size_t count = faces.size();
-  return {std::make_shared<const SectionNet>(std::move(faces), precision), [count] {
-            std::vector<TrimmedFace> whole;
-            for (std::size_t i = 0; i < count; ++i) whole.push_back({i, {}});
-            return whole;
+  std::vector<ChainPlace> places;
+  for (SegmentFace& face : segment_faces(chain, lines, precision)) {
+    places.push_back(face.place);
+    faces.push_back(std::move(face));
+  }
+  const auto ends = chain_.has_cuts() ? ends_of_arcs(segments, chain_.closed) : BandSides{};
+  return {std::make_shared<const SectionNet>(std::move(faces), precision), [places, ends] {
+            std::vector<TrimmedFace> trimmed(places.size());
+            for_each_index(trimmed.size(), [&](std::size_t i) {
+              trimmed[i].net_face = i;
+              if (!ends) return;
+              trimmed[i].loops = {band_loop(ends, places[i].first_segment, places[i].last_segment)};
+            });
+            return trimmed;
           }};
 }
 
