@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Surfaces of moving conics against their equation."""
 
+from math import comb
+
 import numpy as np
 import pnkernel as pn
 import pnocct
@@ -285,3 +287,67 @@ def test_refusals_say_why():
         "gap", lambda: pn.conic_surface_of_spans([(frame, circle[None], None)] * 2)
     )
     assert "Span 2" in gap
+
+
+def test_refusals_of_spans_name_the_span():
+    frame, circle = upright_frame(1), np.diag([-1.0, 1, 1])[None]
+    raised = upright_frame(1)
+    raised[:, 2, 0] += 1
+    vanishing = np.array([circle[0], np.eye(3)])
+    sentence = refused(
+        "no_real_points",
+        lambda: pn.conic_surface_of_spans([(frame, circle, None), (raised, vanishing, None)]),
+    )
+    assert sentence.startswith("Span 2: ") and "t > 0.5" in sentence
+
+
+def test_a_degree_above_25_is_refused():
+    # b^2 x^2 + a^2 y^2 = a^2 b^2 with irreducible a^2, b^2 of degree 16, up to small changes.
+    random = np.random.default_rng(0)
+    a, b = (1 + random.integers(1, 9, 17) / 16 for _ in range(2))
+    product = np.polynomial.polynomial.polymul(a, b)
+    conic = np.zeros((33, 3, 3))
+    for power, entry, sign in ((product, 0, -1), (b, 1, 1), (a, 2, 1)):
+        # Powers of t in the basis of Bernstein, exact for these short numbers up to rounding.
+        for i, c in enumerate(power):
+            for j in range(i, 33):
+                conic[j, entry, entry] += sign * c * comb(j, i) / comb(32, i)
+    sentence = refused("degree_too_high", lambda: pn.conic_surface(upright_frame(1), conic))
+    assert "25" in sentence
+
+
+def test_conics_in_one_plane_are_noted():
+    flat = upright_frame(0)
+    circles = np.array([np.diag([-1.0, 1, 1]), np.diag([-4.0, 1, 1])])
+    surface = pn.conic_surface(flat, circles)
+    (note,) = surface.certificate.notes
+    assert "one plane" in note
+    # A ring between circles of radius 1 and 2.
+    shell = pnocct.shell(surface.bsplines())
+    assert pnocct.area(shell) == pytest.approx(3 * np.pi, rel=1e-12)
+
+
+def test_ellipses_that_are_flat_at_one_end_make_an_edge():
+    # Half-axes 1 and t: t^2 x^2 + y^2 = t^2, at t = 0 a segment that is run through twice.
+    conic = np.zeros((3, 3, 3))
+    conic[2, 0, 0], conic[2, 1, 1], conic[:, 2, 2] = -1, 1, 1
+    span = (upright_frame(2), conic, None)
+    surface = pn.conic_surface(*span)
+    assert surface.degree == (1, 2)
+    for face in surface.bsplines():
+        for _, x in samples(face, 4, 9):
+            if x[2] > 0:
+                assert residual(span, x[2] / 2, x) < TIGHT
+
+
+def test_conics_that_are_lines_at_single_parameters_do_no_harm():
+    # A double cone, from one side of its tip to the other: t runs from -1 to 2.
+    conic = np.zeros((3, 3, 3))
+    conic[:, 0, 0] = -1, 2, -4  # -(3 t - 1)^2
+    conic[:, 1, 1] = conic[:, 2, 2] = 1
+    span = (upright_frame(3), conic, None)
+    surface = pn.conic_surface(*span)
+    assert surface.degree == (1, 2)
+    for face in surface.bsplines():
+        for _, (x, y, z) in samples(face, 7, 7):
+            assert abs(x**2 + y**2 - (z - 1) ** 2) < TIGHT

@@ -19,14 +19,9 @@ namespace {
 
 using Polynomial = RationalPolynomial;
 
-/// "at t = 0.5" or, of several spans, "at t = 0.5 of span 2".
-std::string place(double t, std::size_t span, std::size_t count) {
-  char text[64];
-  if (count == 1) {
-    std::snprintf(text, sizeof text, "at t = %.6g", t);
-  } else {
-    std::snprintf(text, sizeof text, "at t = %.6g of span %zu", t, span + 1);
-  }
+std::string place(const ConicPoints& conics, double s) {
+  char text[32];
+  std::snprintf(text, sizeof text, "at t = %.6g", conics.t_at(s));
   return text;
 }
 
@@ -42,33 +37,26 @@ std::optional<double> first_not_positive(const Polynomial& p) {
       ->value.midpoint();
 }
 
-/// A span among others, for sentences.
-struct NumberedSpan {
-  const ConicPoints& conics;
-  std::size_t number, count;
-
-  std::string place(double s) const { return pn::place(conics.t_at(s), number, count); }
-};
-
-void check_ellipses(const NumberedSpan& span) {
-  if (const auto s = first_not_positive(span.conics.invariants().infinity)) {
+void check_ellipses(const ConicPoints& conics) {
+  if (const auto s = first_not_positive(conics.invariants().infinity)) {
     throw GeometryError(ErrorCode::kRegionUnbounded,
-                        "The conic " + span.place(*s) +
+                        "The conic " + place(conics, *s) +
                             " is no ellipse: it has points at infinity, and no cut takes a finite "
                             "part of it.");
   }
 }
 
 /// Finite parts, by conic_points.hpp.
-void check_arcs(const NumberedSpan& span) {
-  const auto [infinity, mixed, cut] = span.conics.invariants();
+void check_arcs(const ConicPoints& conics) {
+  const auto [infinity, mixed, cut] = conics.invariants();
   if (const auto s = first_not_positive(-cut)) {
-    throw GeometryError(ErrorCode::kRegionEmpty, "The line that cuts the conic " + span.place(*s) +
-                                                     " does not meet it in two points.");
+    throw GeometryError(
+        ErrorCode::kRegionEmpty,
+        "The line that cuts the conic " + place(conics, *s) + " does not meet it in two points.");
   }
   const auto refuse = [&](double s) {
     throw GeometryError(ErrorCode::kRegionUnbounded,
-                        "The part of the conic " + span.place(s) +
+                        "The part of the conic " + place(conics, s) +
                             " on the positive side of the line that cuts it is no finite arc.");
   };
   // From here on [c, w] is not zero where [w, w] is not positive, so it keeps its sign there.
@@ -158,17 +146,50 @@ void check_joints(const std::vector<ConicSpan>& spans) {
   }
 }
 
-std::shared_ptr<const ConicPoints> points_of(const ConicSpan& span, std::size_t index,
-                                             std::size_t count) {
+std::shared_ptr<const ConicPoints> points_of(const ConicSpan& span) {
   auto conics = std::make_shared<const ConicPoints>(span);
-  const NumberedSpan numbered{*conics, index, count};
-  span.cut ? check_arcs(numbered) : check_ellipses(numbered);
+  if (span.cut) {
+    check_arcs(*conics);
+  } else {
+    check_ellipses(*conics);
+  }
   if (conics->degree() > kLargestDegree) {
     throw GeometryError(
         ErrorCode::kDegreeTooHigh,
         "The surface has degree " + std::to_string(conics->degree()) + " along t; 25 is the most.");
   }
   return conics;
+}
+
+/// The same of one span among others, which a refusal names.
+std::shared_ptr<const ConicPoints> points_of(const std::vector<ConicSpan>& spans,
+                                             std::size_t index) {
+  try {
+    return points_of(spans[index]);
+  } catch (const GeometryError& error) {
+    if (spans.size() == 1) throw;
+    throw GeometryError(error.code(), "Span " + std::to_string(index + 1) + ": " + error.what());
+  }
+}
+
+/// The planes (e1, e2, e3, e4) of all conics span the rows of this matrix.
+RationalMatrix planes_of(const std::vector<ConicSpan>& spans) {
+  RationalMatrix rows;
+  for (const ConicSpan& span : spans) {
+    std::array<Polynomial, 4> plane;
+    for (std::size_t i = 0; i < 4; ++i) {
+      Matrix3<Polynomial> others;
+      for (std::size_t k = 0; k < 3; ++k) others[k] = span.conic.frame[k + (k >= i)];
+      plane[i] = i % 2 == 0 ? determinant(others) : -determinant(others);
+    }
+    int degree = 0;
+    for (const Polynomial& p : plane) degree = std::max(degree, p.degree());
+    for (int k = 0; k <= degree; ++k) {
+      rows.emplace_back();
+      for (const Polynomial& p : plane) rows.back().push_back(p.coefficient(k));
+    }
+  }
+  return row_echelon_form(rows);
 }
 
 /// Where an arc begins and ends in its band, by the form of its cut: the zeros s of a (1 - s)^2 + 2
@@ -202,10 +223,14 @@ ConicSource::ConicSource(const std::vector<ConicSpan>& spans, std::vector<std::s
     : notes_(std::move(notes)) {
   if (spans.empty()) throw GeometryError(ErrorCode::kWrongShape, "There is no conic.");
   chain_.spans.resize(spans.size());
-  for_each_index(spans.size(),
-                 [&](std::size_t i) { chain_.spans[i] = points_of(spans[i], i, spans.size()); });
+  for_each_index(spans.size(), [&](std::size_t i) { chain_.spans[i] = points_of(spans, i); });
   check_joints(spans);
   chain_.closed = ends_where_begins(spans.back(), spans.front());
+  if (planes_of(spans).size() == 1) {
+    notes_.push_back(
+        "All conics lie in one plane: the surface is a part of it, with folds where the "
+        "conics have an envelope.");
+  }
 }
 
 std::array<int, 2> ConicSource::degree() const {
