@@ -161,6 +161,38 @@ TEST_CASE("Arcs of ellipses, parabolas and hyperbolas are one surface with exact
   }
 }
 
+TEST_CASE("Ends that are rational become sides of the face", "[conic_source]") {
+  // Arcs with given tangents at both ends: the points b0 y0 + b1 y1 + b2 y2 with 4 y1^2 = k y0 y2
+  // and the cut y1 > 0, from the curve b0 to the curve b2; of ellipses and at last a parabola.
+  const RationalPolynomial zero, one(1L), t = poly({0, 1}), k = poly({1, 3}) * poly({1, 3});
+  MovingConic conic;
+  conic.frame = {{{-4L + t, t, poly({5}) + t * t},
+                  {zero, poly({4, 2}), t},
+                  {10L * t, 10L * t, 10L * t},
+                  {one, one, one}}};
+  conic.conic = diagonal(zero, one, zero);
+  conic.conic[0][2] = conic.conic[2][0] = -(RationalPolynomial(Rational(1) / Rational(8)) * k);
+  const PNSurface surface =
+      surface_of({ConicSpan{conic, Vector3<RationalPolynomial>{zero, one, zero}}});
+  for (const Lines lines : {Lines::kEven, Lines::kLowestDegree}) {
+    const auto faces = surface.faces(lines);
+    REQUIRE(faces.size() == 1);
+    CHECK(faces.front().trims.empty());
+    CHECK(surface.certificate(lines).trim_deviation == 0);
+    const SurfaceEvaluation face(faces.front());
+    for (const double at : {0.0, 0.3, 0.8, 1.0}) {
+      const auto a = face(at, 0), b = face(at, 1);
+      const bool in_order = a[0] < b[0];
+      const auto &low = in_order ? a : b, &high = in_order ? b : a;
+      const double s = low[2] / 10;
+      CHECK(low[0] == Approx(s - 4).epsilon(1e-12));
+      CHECK(low[1] == Approx(0).margin(1e-12));
+      CHECK(high[0] == Approx(5 + s * s).epsilon(1e-12));
+      CHECK(high[1] == Approx(s).margin(1e-12));
+    }
+  }
+}
+
 TEST_CASE("Cuts that take no finite arc are refused, and the place is named", "[conic_source]") {
   const Conic circle = diagonal(-1L, 1L, 1L);
   Conic parabola = diagonal(0L, 1L, 0L);

@@ -8,7 +8,7 @@ kernel takes them: (k + 1, 4, 3), (h + 1, 3, 3) and (l + 1, 3) or None.
 import mpmath
 import numpy as np
 from mpmath import mpf
-from splines import exactly
+from splines import exactly, norm
 
 
 def at(coefficients, t):
@@ -74,13 +74,12 @@ def coordinates(frame, t, x):
 
 
 def residual(span, t, x):
-    """How far y^T C y is from zero, in parts of the size of its terms."""
+    """How far y^T C y is from zero, in parts of its size."""
     y, conic = coordinates(span[0], t, x), at(span[1], t)
-    size = abs(y) @ abs(conic) @ abs(y)
-    return abs(y @ conic @ y) / size
+    return abs(y @ conic @ y) / (y @ y * abs(conic).max())
 
 
 def beyond_cut(span, t, x):
-    """cut . y for y with y0 = 1 at a finite centre of the frame; in parts of its terms."""
+    """cut . y for the point y of weight 1, in parts of the lengths of both."""
     y, cut = coordinates(span[0], t, x), at(span[2], t)
-    return cut @ y / (abs(cut) @ abs(y))
+    return cut @ y / (norm(cut) * norm(y))

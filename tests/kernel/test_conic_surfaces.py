@@ -160,6 +160,37 @@ def test_ellipses_in_turning_planes():
             assert residual(span, t, x) < TIGHT
 
 
+def designers_arcs(weights):
+    """Arcs between two curves, with tangents that meet on a third: y1^2 = k y0 y2 / 4 and y1 > 0."""
+    frame = np.zeros((2, 4, 3))
+    frame[:, 3] = 1
+    frame[:, 0], frame[:, 1], frame[1, 2] = [[-4, 0, 5], [-3, 1, 6]], [[0, 4, 0], [0, 6, 1]], 10
+    conic = np.zeros((len(weights), 3, 3))
+    conic[:, 1, 1], conic[:, 0, 2] = 1, -np.array(weights) / 8
+    conic[:, 2, 0] = conic[:, 0, 2]
+    return frame, conic, np.array([[0.0, 1, 0]])
+
+
+@pytest.mark.parametrize("lines", ["even", "lowest_degree"])
+@pytest.mark.parametrize("weights", [[1, 1], [1, 4], [1, 4, 16], [0.25, 2, 9], [2, 3, 7], [8, 40]])
+def test_rational_ends_are_sides_of_the_face(weights, lines):
+    span = designers_arcs(weights)
+    surface = pn.conic_surface(*span)
+    for face in surface.bsplines(lines):
+        assert face.trims == []
+        for u, x in samples(face, 4, 5):
+            t = x[2] / 10
+            assert residual(span, t, x) < TIGHT
+            assert beyond_cut(span, t, x) > -1e-14
+        for u in np.linspace(0, 1, 5):
+            ends = [surface_point(face, u, v) for v in (0, 1)]
+            t = ends[0][2] / 10
+            low, high = sorted(ends, key=lambda x: x[0])
+            assert max(abs(low - [t - 4, 0, 10 * t])) < 1e-14
+            assert max(abs(high - [5 + t, t, 10 * t])) < 1e-14
+    assert surface.certificate_of(lines).trim_deviation == 0
+
+
 # k of random_arcs: ellipses, parabolas at the start, hyperbolas, and from ellipses to hyperbolas.
 KINDS = {
     "ellipses": (0.5, 0.75),

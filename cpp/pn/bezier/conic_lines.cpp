@@ -2,6 +2,8 @@
 #include "pn/bezier/conic_lines.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -126,6 +128,76 @@ class FactorSequence {
   std::vector<LineFactor<T>> factors_;
 };
 
+/// What is smaller in parts of the other coefficients is zero in the last place of every pole.
+constexpr double kNothing = 0x1p-80;
+
+/// The lines that are the ends of arcs, where they are linear in t in the parameter of the family.
+class LinesOfEnds {
+ public:
+  explicit LinesOfEnds(const std::vector<ConicForms<RealBall>>& spans) : spans_(spans) {}
+
+  /// F on each span; nothing where some end is no line.
+  std::optional<std::vector<LineFactor<RealBall>>> factors() const {
+    std::vector<LineFactor<RealBall>> result;
+    for (std::size_t i = 0; i < spans_.size(); ++i) {
+      const Matrix<RealBall> left =
+          i == 0 ? ends_of_arc(spans_[0], RealBall(0)) : met(i, result.back().ends[1].value);
+      result.push_back(continued_from(left, spans_[i]));
+      const FormInU<RealBall> cut = lined(spans_[i].cut, result.back());
+      if (!vanishes(cut.coefficient[0], cut) || !vanishes(cut.coefficient[2], cut)) return {};
+    }
+    return result;
+  }
+
+ private:
+  using Vector = std::array<RealBall, 2>;
+
+  static Vector column(const Matrix<RealBall>& a, std::size_t j) { return {a[0][j], a[1][j]}; }
+  static RealBall cross(const Vector& a, const Vector& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+  Matrix<RealBall> met(std::size_t span, const Matrix<RealBall>& before) const {
+    const auto from = conic_frame(spans_[span - 1], RealBall(1)),
+               to = conic_frame(spans_[span], RealBall(0));
+    return inverse(to.circle) * (least_turn(from, to) * (from.circle * before));
+  }
+
+  /// From the ends at t = 0 to those at t = 1, of the size with which the middle is right too.
+  static LineFactor<RealBall> continued_from(const Matrix<RealBall>& left,
+                                             const ConicForms<RealBall>& span) {
+    const Matrix<RealBall> middle = ends_of_arc(span, RealBall(0.5)),
+                           last = ends_of_arc(span, RealBall(1));
+    const Matrix<RealBall> first = ends_of_arc(span, RealBall(0));
+    // The ends may come in the other order.
+    const bool keeps_order = std::abs(cross(column(left, 0), column(first, 0)).midpoint()) <
+                             std::abs(cross(column(left, 0), column(first, 1)).midpoint());
+    Matrix<RealBall> right = left;
+    for (std::size_t j = 0; j < 2; ++j) {
+      const std::size_t k = keeps_order ? j : 1 - j;
+      const RealBall before = cross(column(left, j), column(middle, k)),
+                     after = cross(column(last, k), column(middle, k));
+      // A line that does not turn keeps its size.
+      if (after.contains_zero()) continue;
+      const RealBall size = -before / after;
+      for (std::size_t i = 0; i < 2; ++i) right[i][j] = last[i][k] * size;
+    }
+    return joined(left, right);
+  }
+
+  static bool vanishes(const Form<RealBall>& form, const FormInU<RealBall>& cut) {
+    double size = 0, largest = 0;
+    for (const RealBall& c : cut.coefficient[1].coefficients()) {
+      size = std::max(size, c.magnitude_upper());
+    }
+    for (const RealBall& c : form.coefficients()) {
+      if (!c.contains_zero()) return false;
+      largest = std::max(largest, c.magnitude_upper());
+    }
+    return largest <= kNothing * size;
+  }
+
+  const std::vector<ConicForms<RealBall>>& spans_;
+};
+
 /// Weights along arcs may vary by this factor, as between a vertex and far points.
 constexpr double kLeastRatioOfArcs = 2e-3;
 
@@ -156,11 +228,16 @@ class Planner {
 
   std::vector<ConicSegment> segments() {
     if (chain_.has_cuts()) {
+      if (const auto factors = lines_of_ends()) return lined_with(*factors);
       plan_arcs();
     } else {
       plan_ellipses();
     }
-    const auto factors = factors_for<RealBall>(spans_);
+    return lined_with(factors_for<RealBall>(spans_));
+  }
+
+ private:
+  std::vector<ConicSegment> lined_with(const std::vector<LineFactor<RealBall>>& factors) const {
     std::vector<ConicSegment> result(segments_.size());
     for_each_index(result.size(), [&](std::size_t i) {
       const Segment& segment = segments_[i];
@@ -175,12 +252,26 @@ class Planner {
                     i == 0 ? Joint::kNone : Joint::kTangent,
                     chain_.has_cuts() ? Around::kArc : Around::kCircle,
                     {{form(point[0]), form(point[1]), form(point[2])}, {}, form(point[3])}},
-                   chain_.has_cuts() ? pn::midpoint(form(cut)) : FormInU<double>{}};
+                   is_trimmed_ ? pn::midpoint(form(cut)) : FormInU<double>{}};
     });
     return result;
   }
 
- private:
+  /// Lines that end where the arcs do, if these are rational and there are such lines.
+  std::optional<std::vector<LineFactor<RealBall>>> lines_of_ends() {
+    whole_spans(1);
+    for (std::size_t i = 0; i < spans_.size(); ++i) {
+      if (chain_.closed || room(i) == 0 || !chain_.spans[i]->has_rational_ends()) return {};
+    }
+    auto factors = LinesOfEnds(spans_).factors();
+    if (!factors) return {};
+    for (std::size_t i = 0; i < spans_.size(); ++i) {
+      const FormInU<double> weight = pn::midpoint(lined(spans_[i].point[3], (*factors)[i]));
+      if (!has_even_weights(weight)) return {};
+    }
+    return factors;
+  }
+
   void plan_ellipses() {
     target_ = std::make_unique<ConicSeam>(estimates_, chain_.closed);
     whole_spans(lines_ == Lines::kEven ? 1 : 0);
@@ -190,6 +281,7 @@ class Planner {
   }
 
   void plan_arcs() {
+    is_trimmed_ = true;
     for (const ArcAttempt& attempt : kArcAttempts) {
       target_ = std::make_unique<ArcLines>(estimates_, attempt.margin);
       whole_spans(attempt.lines_degree);
@@ -249,8 +341,11 @@ class Planner {
       const double t = static_cast<double>(k) / (kBandSamples - 1);
       if (!(q[0](t) < 0 && q[1](t) > 0 && q[2](t) < 0)) return false;
     }
-    const std::vector<CircleColumns> band = {straight_band(kMostArcs / kLeastArcs, 2)};
-    const auto [least, largest] = weight_range(lined(on_segment(point[3], segment), factor), band);
+    return has_even_weights(lined(on_segment(point[3], segment), factor));
+  }
+
+  static bool has_even_weights(const FormInU<double>& weight) {
+    const auto [least, largest] = weight_range(weight, {straight_band(kMostArcs / kLeastArcs, 2)});
     return least > kLeastRatioOfArcs * largest;
   }
 
@@ -291,6 +386,7 @@ class Planner {
   std::unique_ptr<const TargetLines> target_;
   std::vector<Segment> segments_;
   std::vector<char> bad_;  ///< the segments to be refined
+  bool is_trimmed_ = false;
 };
 
 }  // namespace

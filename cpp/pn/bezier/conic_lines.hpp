@@ -6,7 +6,9 @@
 // its left end Z'^{-1} M Z F of the segment before (conic_parameter.hpp), with which the lines run
 // on and the weights agree. The degree grows by twice that of F. A segment whose weights are too
 // uneven is halved, and so is one of arcs that leave the band u = (1 - s : s): the ends of arcs are
-// in general no rational curves, and a margin leaves them inside.
+// in general no rational curves, and a margin leaves them inside. Where [c, c] is a constant times
+// a square they are rational; if they are linear in the family's u too, they are lines of F, and
+// the band is the surface: what the forms leave of q_c there is zero to the working precision.
 #pragma once
 
 #include <memory>
@@ -27,7 +29,9 @@ struct ConicChain {
 };
 
 struct ConicSegment : SectionSegment {
-  FormInU<double> cut;  ///< of arcs, nearly: positive on them
+  /// Of arcs whose ends are inside the band, nearly: positive on them. Without coefficients where
+  /// the band is the surface.
+  FormInU<double> cut;
 };
 
 /// The segments of the spans in order, computed at this precision. Throws Undecided when it does

@@ -109,4 +109,26 @@ lines::Matrix<T> least_turn(const ConicFrame<T>& from, const ConicFrame<T>& to) 
                          : lines::Matrix<T>{{{c, -s}, {-s, -c}}};
 }
 
+/// The two zeros u of q_c at t with h = 1, as columns; q_c is positive in the middle between them.
+template <class T>
+lines::Matrix<T> ends_of_arc(const ConicForms<T>& forms, const T& t) {
+  using std::sqrt;
+  const lines::Matrix<T> from_circle = lines::inverse(conic_frame(forms, t).circle);
+  const auto& q = forms.cut.coefficient;
+  const T q0 = q[0](t), q1 = q[1](t), q2 = q[2](t);
+  const auto value = [&](std::size_t i, std::size_t j) {
+    const T a0 = from_circle[0][i], a1 = from_circle[1][i];
+    const T b0 = from_circle[0][j], b1 = from_circle[1][j];
+    return q0 * a0 * b0 + q1 * (a0 * b1 + a1 * b0) + q2 * a1 * b1;
+  };
+  // In z it is a multiple of cos(2 x - 2 m) at the angle x: largest at m, zero an eighth of a turn
+  // from it.
+  const auto [c, s] = conic_parameter::half_turn<T>({value(0, 0), value(0, 1)});
+  // The root of 2 at the precision of c and s.
+  const T root = sqrt(c * c + s * s + c * c + s * s);
+  const lines::Matrix<T> ends = {{{c + s, c - s}, {s - c, c + s}}};
+  using lines::operator*;
+  return lines::scaled(from_circle * ends, T(1.0) / root);
+}
+
 }  // namespace pn

@@ -94,6 +94,12 @@ LineInvariants ConicPoints::invariants() const {
   return {invariant(infinity, infinity), invariant(*cut_, infinity), invariant(*cut_, *cut_)};
 }
 
+bool ConicPoints::has_rational_ends() const {
+  const std::vector<SquarefreeFactor> factors = squarefree_factorization(invariants().cut);
+  return std::all_of(factors.begin(), factors.end(),
+                     [](const SquarefreeFactor& factor) { return factor.multiplicity % 2 == 0; });
+}
+
 double ConicPoints::t_at(double s) const {
   const Rational at = Rational::exactly(s);
   return (substitution_.numerator(at) / substitution_.denominator(at)).to_double();

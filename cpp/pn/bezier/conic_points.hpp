@@ -90,6 +90,8 @@ class ConicPoints {
   int degree() const { return conics_.degree(); }
   bool has_cut() const { return cut_.has_value(); }
   LineInvariants invariants() const;
+  /// The ends of the arcs are rational over R: [c, c] is a constant times a square.
+  bool has_rational_ends() const;
   /// t at a parameter s.
   double t_at(double s) const;
   /// Over [0, 1], with the sign by which h is positive. Throws Undecided.

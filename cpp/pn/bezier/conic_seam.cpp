@@ -80,17 +80,12 @@ ArcLines::ArcLines(std::vector<ConicForms<double>> spans, double margin)
 }
 
 Matrix2d ArcLines::factor(std::size_t span, double t) const {
-  const Matrix2d to_circle = lines::midpoint(conic_frame(spans_[span], t).circle).inverse();
-  const auto& q = spans_[span].cut.coefficient;
-  Matrix2d cut;
-  cut << q[0](t), q[1](t), q[1](t), q[2](t);
-  cut = (to_circle.transpose() * cut * to_circle).eval();
-  // q_c is largest in the middle of the arc, and zero a quarter turn of z apart.
-  const double middle = std::atan2(cut(0, 1), cut(0, 0)) / 2, half = M_PI / 4 * (1 + margin_);
-  Matrix2d ends;
-  ends << std::cos(half), std::cos(half), -std::sin(half), std::sin(half);
-  ends.row(1) *= direction_[span];
-  return to_circle * Eigen::Rotation2Dd(middle).toRotationMatrix() * ends;
+  // The ends are orthogonal in z, and are turned away from each other.
+  const double beyond = M_PI / 4 * margin_;
+  Matrix2d turned;
+  turned << std::cos(beyond), -std::sin(beyond), -std::sin(beyond), std::cos(beyond);
+  const Matrix2d ends = lines::midpoint(ends_of_arc(spans_[span], t)) * turned;
+  return direction_[span] > 0 ? ends : Matrix2d(ends.rowwise().reverse());
 }
 
 }  // namespace pn

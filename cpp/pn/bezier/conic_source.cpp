@@ -249,7 +249,8 @@ TrimmableNet ConicSource::net(Lines lines, long precision) const {
     places.push_back(face.place);
     faces.push_back(std::move(face));
   }
-  const auto ends = chain_.has_cuts() ? ends_of_arcs(segments, chain_.closed) : BandSides{};
+  const bool is_trimmed = !segments.front().cut.coefficient.empty();
+  const auto ends = is_trimmed ? ends_of_arcs(segments, chain_.closed) : BandSides{};
   return {std::make_shared<const SectionNet>(std::move(faces), precision), [places, ends] {
             std::vector<TrimmedFace> trimmed(places.size());
             for_each_index(trimmed.size(), [&](std::size_t i) {
