@@ -382,3 +382,21 @@ def test_conics_that_are_lines_at_single_parameters_do_no_harm():
     for face in surface.bsplines():
         for _, (x, y, z) in samples(face, 7, 7):
             assert abs(x**2 + y**2 - (z - 1) ** 2) < TIGHT
+
+
+def test_a_frame_that_is_flat_at_single_parameters_may_span_a_regular_conic():
+    # Circles of radius 1 in the coordinates (1, xi, y) of the frame (m, (2 t - 1) e_x, e_y).
+    frame, conic = upright_frame(4), np.zeros((3, 3, 3))
+    frame[:, 0, 1] = -1, 1
+    conic[:, 0, 0], conic[:, 1, 1], conic[:, 2, 2] = -1, (1, -1, 1), 1
+    surface = pn.conic_surface(frame, conic)
+    assert surface.degree == (1, 2)
+    for face in surface.bsplines():
+        for _, (x, y, _) in samples(face, 3, 9):
+            assert abs(x**2 + y**2 - 1) < TIGHT
+    sentence = refused(
+        "singular_conics", lambda: pn.conic_surface(frame, conic, np.array([[0, 0, 1.0]]))
+    )
+    assert "t = 0.5" in sentence
+    frame[:, :, 2] = frame[:, :, 1]
+    refused("singular_conics", lambda: pn.conic_surface(frame, conic))

@@ -67,42 +67,74 @@ void check_arcs(const ConicPoints& conics) {
   if (!bad.empty()) refuse(bad.front().value.midpoint());
 }
 
-/// The planes that touch a conic, e^T D e = 0, at an end of its span: D by its ten entries.
-std::vector<Rational> tangent_planes_at(const MovingConic& conic, int end) {
+/// The matrix D of the planes that touch the conics, e^T D e = 0, without common factors.
+std::array<Vector4OfPolynomials, 4> tangent_planes(const MovingConic& conic) {
   const Matrix3<Polynomial> dual = adjugate(conic.conic);
-  std::vector<Polynomial> entries;
+  std::array<Vector4OfPolynomials, 4> result;
   Polynomial common;
   for (std::size_t a = 0; a < 4; ++a) {
-    for (std::size_t b = a; b < 4; ++b) {
-      Polynomial sum;
+    for (std::size_t b = 0; b < 4; ++b) {
       for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) {
-          sum += conic.frame[a][i] * dual[i][j] * conic.frame[b][j];
+          result[a][b] += conic.frame[a][i] * dual[i][j] * conic.frame[b][j];
         }
       }
-      common = gcd(common, sum);
-      entries.push_back(std::move(sum));
+      common = gcd(common, result[a][b]);
     }
   }
-  std::vector<Rational> values;
-  for (const Polynomial& entry : entries) {
-    values.push_back(exact_quotient(entry, common)(Rational(long{end})));
+  for (Vector4OfPolynomials& row : result) {
+    for (Polynomial& entry : row) entry = exact_quotient(entry, common);
   }
-  return values;
+  return result;
 }
 
-std::size_t rank(const std::vector<Rational>& upper_triangle) {
-  RationalMatrix matrix(4, std::vector<Rational>(4));
-  auto entry = upper_triangle.begin();
-  for (std::size_t a = 0; a < 4; ++a) {
-    for (std::size_t b = a; b < 4; ++b) matrix[a][b] = matrix[b][a] = *entry++;
+/// The planes (e1, e2, e3, e4) of the conics.
+Vector4OfPolynomials planes(const MovingConic& conic) {
+  Vector4OfPolynomials result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    Matrix3<Polynomial> others;
+    for (std::size_t k = 0; k < 3; ++k) others[k] = conic.frame[k + (k >= i)];
+    result[i] = i % 2 == 0 ? determinant(others) : -determinant(others);
   }
-  return row_echelon_form(matrix).size();
+  return result;
+}
+
+/// With a frame that spans a plane at every t in [0, 1], where a conic with another one can have
+/// it.
+ConicSpan with_regular_frame(const ConicSpan& span) {
+  Polynomial common;
+  for (const Polynomial& p : planes(span.conic)) common = gcd(common, p);
+  if (common.is_zero()) {
+    throw GeometryError(ErrorCode::kSingularConics,
+                        "The three points that span the plane are on one line for all t.");
+  }
+  const std::vector<RealRoot> roots = roots_in_unit_interval(common);
+  if (roots.empty()) return span;
+  if (!span.cut) return {conic_of_tangent_planes(tangent_planes(span.conic)), {}};
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", roots.front().value.midpoint());
+  throw GeometryError(ErrorCode::kSingularConics,
+                      std::string("The three points that span the plane are on one line at t = ") +
+                          text + "; with a cut they may not be.");
 }
 
 bool have_one_conic(const ConicSpan& span, const ConicSpan& next) {
-  const auto end = tangent_planes_at(span.conic, 1), begin = tangent_planes_at(next.conic, 0);
-  return row_echelon_form({end, begin}).size() == 1 && rank(end) == 3;
+  const auto at = [](const ConicSpan& one, long t) {
+    RationalMatrix values;
+    for (const Vector4OfPolynomials& row : tangent_planes(one.conic)) {
+      values.emplace_back();
+      for (const Polynomial& entry : row) values.back().push_back(entry(Rational(t)));
+    }
+    return values;
+  };
+  const auto in_one_row = [](const RationalMatrix& matrix) {
+    std::vector<Rational> row;
+    for (const auto& part : matrix) row.insert(row.end(), part.begin(), part.end());
+    return row;
+  };
+  const RationalMatrix end = at(span, 1), begin = at(next, 0);
+  return row_echelon_form({in_one_row(end), in_one_row(begin)}).size() == 1 &&
+         row_echelon_form(end).size() == 3;
 }
 
 /// The pole of the cut at an end of a span, with the sign of its positive side.
@@ -147,7 +179,7 @@ void check_joints(const std::vector<ConicSpan>& spans) {
 }
 
 std::shared_ptr<const ConicPoints> points_of(const ConicSpan& span) {
-  auto conics = std::make_shared<const ConicPoints>(span);
+  auto conics = std::make_shared<const ConicPoints>(with_regular_frame(span));
   if (span.cut) {
     check_arcs(*conics);
   } else {
@@ -172,16 +204,11 @@ std::shared_ptr<const ConicPoints> points_of(const std::vector<ConicSpan>& spans
   }
 }
 
-/// The planes (e1, e2, e3, e4) of all conics span the rows of this matrix.
-RationalMatrix planes_of(const std::vector<ConicSpan>& spans) {
+/// The dimension of the space that the planes of all conics span.
+std::size_t rank_of_planes(const std::vector<ConicSpan>& spans) {
   RationalMatrix rows;
   for (const ConicSpan& span : spans) {
-    std::array<Polynomial, 4> plane;
-    for (std::size_t i = 0; i < 4; ++i) {
-      Matrix3<Polynomial> others;
-      for (std::size_t k = 0; k < 3; ++k) others[k] = span.conic.frame[k + (k >= i)];
-      plane[i] = i % 2 == 0 ? determinant(others) : -determinant(others);
-    }
+    const Vector4OfPolynomials plane = planes(span.conic);
     int degree = 0;
     for (const Polynomial& p : plane) degree = std::max(degree, p.degree());
     for (int k = 0; k <= degree; ++k) {
@@ -189,7 +216,7 @@ RationalMatrix planes_of(const std::vector<ConicSpan>& spans) {
       for (const Polynomial& p : plane) rows.back().push_back(p.coefficient(k));
     }
   }
-  return row_echelon_form(rows);
+  return row_echelon_form(rows).size();
 }
 
 /// Where an arc begins and ends in its band, by the form of its cut: the zeros s of a (1 - s)^2 + 2
@@ -226,7 +253,7 @@ ConicSource::ConicSource(const std::vector<ConicSpan>& spans, std::vector<std::s
   for_each_index(spans.size(), [&](std::size_t i) { chain_.spans[i] = points_of(spans, i); });
   check_joints(spans);
   chain_.closed = ends_where_begins(spans.back(), spans.front());
-  if (planes_of(spans).size() == 1) {
+  if (rank_of_planes(spans) == 1) {
     notes_.push_back(
         "All conics lie in one plane: the surface is a part of it, with folds where the "
         "conics have an envelope.");

@@ -19,6 +19,7 @@ class ConicSource : public SectionSource {
  public:
   /// Spans along t, each over [0, 1], each beginning with the conic with which the one before ends.
   /// Span number i is the surface over [i, i + 1]; it is closed when the last conic is the first.
+  /// Frames of conics without a cut may be flat at single t.
   ///
   /// Throws GeometryError: kSingularConics, kNoRealPoints, kGap where spans do not meet,
   /// kRegionUnbounded where a conic or its part has points at infinity, kRegionEmpty where a cut
