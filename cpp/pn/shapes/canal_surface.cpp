@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "pn/algebra/negative_interval.hpp"
 #include "pn/algebra/parallel.hpp"
 #include "pn/algebra/roots.hpp"
 #include "pn/geometry_error.hpp"
@@ -19,9 +20,6 @@ namespace {
 constexpr double kClosableGap = 1e-7;
 /// A joint that turns by more than this [rad] is a corner whatever its size.
 constexpr double kClosableAngle = 1e-6;
-/// A smaller turn [rad] is the rounding of the poles next to the joint, a few hundred units in the
-/// last place of their chord; it is closed without a word, its gap counted in the deviation.
-constexpr double kRoundingAngle = 1e-13;
 
 using Vector4 = std::array<Rational, 4>;
 
@@ -50,26 +48,6 @@ std::string place(const Span& span, double local) {
 std::string interval(const Span& span, double begin, double end) {
   return "parameters " + show(parameter(span, begin)) + " to " + show(parameter(span, end)) +
          ", near point " + place(span, (begin + end) / 2);
-}
-
-/// Where a polynomial is negative on [0, 1], as local parameters; its roots there are known.
-struct Interval {
-  double begin, end;
-};
-
-std::optional<Interval> first_negative_interval(const RationalPolynomial& p,
-                                                const std::vector<RealRoot>& roots) {
-  std::vector<double> cuts = {0};
-  for (const RealRoot& root : roots) cuts.push_back(root.value.midpoint());
-  cuts.push_back(1);
-  std::sort(cuts.begin(), cuts.end());
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    if (cuts[i] == cuts[i + 1]) continue;
-    if (p(Rational::exactly((cuts[i] + cuts[i + 1]) / 2)).sign() < 0) {
-      return Interval{cuts[i], cuts[i + 1]};
-    }
-  }
-  return std::nullopt;
 }
 
 std::vector<Span> spans_of(const Curve& spine, const Law& law) {

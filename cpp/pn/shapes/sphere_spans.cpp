@@ -10,33 +10,13 @@
 namespace pn {
 namespace {
 
-/// The part of a function over [begin, end], which lies within one of its spans.
-template <std::size_t Dimension>
-RationalSpan<Dimension> restricted(const PiecewiseRational<Dimension>& function,
-                                   const Rational& begin, const Rational& end) {
-  const auto after = std::upper_bound(function.breaks.begin(), function.breaks.end(), begin);
-  const auto index = static_cast<std::size_t>(after - function.breaks.begin()) - 1;
-  const Rational& first = function.breaks[index];
-  const Rational length = function.breaks[index + 1] - first;
-  RationalSpan<Dimension> span = function.spans[index];
-  if (first == begin && function.breaks[index + 1] == end) return span;
-  const Rational origin = (begin - first) / length, part = (end - begin) / length;
-  for (RationalPolynomial& p : span.numerator) p = p.on_interval(origin, part);
-  span.denominator = span.denominator.on_interval(origin, part);
-  return span;
-}
-
-struct RestrictedSpan {
-  RationalSpan<3> curve;
-  RationalSpan<1> law;
-};
-
-SphereCurve sphere_curve(const RestrictedSpan& span, bool same_weights) {
-  const RationalPolynomial& q = span.curve.denominator;
-  if (same_weights) return {span.curve.numerator, span.law.numerator[0], q};
-  const RationalPolynomial& p = span.law.denominator;
-  return {{span.curve.numerator[0] * p, span.curve.numerator[1] * p, span.curve.numerator[2] * p},
-          span.law.numerator[0] * q,
+SphereCurve sphere_curve(const RationalSpan<3>& curve, const RationalSpan<1>& law,
+                         bool same_weights) {
+  const RationalPolynomial& q = curve.denominator;
+  if (same_weights) return {curve.numerator, law.numerator[0], q};
+  const RationalPolynomial& p = law.denominator;
+  return {{curve.numerator[0] * p, curve.numerator[1] * p, curve.numerator[2] * p},
+          law.numerator[0] * q,
           q * p};
 }
 
@@ -70,17 +50,14 @@ std::vector<SphereSpan> sphere_spans(const Curve& curve, const Law& law,
   const PiecewiseRational<1> radius = law.over(centre.breaks.front(), centre.breaks.back());
   const std::vector<Rational> breaks =
       united_breaks(united_breaks(centre.breaks, radius.breaks), more);
-  std::vector<RestrictedSpan> parts(breaks.size() - 1);
-  for_each_index(parts.size(), [&](std::size_t i) {
-    parts[i] = {restricted(centre, breaks[i], breaks[i + 1]),
-                restricted(radius, breaks[i], breaks[i + 1])};
-  });
-  const bool same_weights = std::all_of(parts.begin(), parts.end(), [](const RestrictedSpan& part) {
-    return part.curve.denominator == part.law.denominator;
-  });
-  std::vector<SphereSpan> spans(parts.size());
+  const std::vector<RationalSpan<3>> centres = refined(centre, breaks).spans;
+  const std::vector<RationalSpan<1>> radii = refined(radius, breaks).spans;
+  const bool same_weights =
+      std::equal(centres.begin(), centres.end(), radii.begin(),
+                 [](const auto& a, const auto& b) { return a.denominator == b.denominator; });
+  std::vector<SphereSpan> spans(centres.size());
   for_each_index(spans.size(), [&](std::size_t i) {
-    spans[i] = {sphere_curve(parts[i], same_weights), breaks[i], breaks[i + 1]};
+    spans[i] = {sphere_curve(centres[i], radii[i], same_weights), breaks[i], breaks[i + 1]};
   });
   return spans;
 }
