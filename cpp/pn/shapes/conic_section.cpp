@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "pn/algebra/negative_interval.hpp"
 #include "pn/algebra/parallel.hpp"
+#include "pn/algebra/roots.hpp"
 #include "pn/algebra/rounded_square_root.hpp"
 #include "pn/geometry_error.hpp"
 #include "pn/shapes/sphere_spans.hpp"
@@ -54,31 +54,18 @@ Direction constant_direction(const std::array<double, 3>& direction, const std::
   return result;
 }
 
-/// A span of the spine with the directions of its sections, over [begin, end] of its parameter.
-struct Span {
-  RationalSpan<3> spine;
+/// A span of the spine with the laws and directions of its sections. Its spheres are points.
+struct Span : SphereSpan {
   std::vector<RationalSpan<1>> laws;
-  Rational begin, end;
   Direction sideways, upwards;  ///< e1 and e2
 };
 
-double parameter(const Span& span, double local) {
-  const double begin = span.begin.to_double();
-  return begin + local * (span.end.to_double() - begin);
+std::string at(const Span& span, double local) {
+  return "at parameter " + show(parameter(span, local)) + ", point " + place(span, local);
 }
 
-std::string place(const Span& span, double local) {
-  const Rational t = Rational::exactly(local);
-  const double q = span.spine.denominator(t).to_double();
-  std::string text = "parameter " + show(parameter(span, local)) + ", point (";
-  for (std::size_t i = 0; i < 3; ++i) {
-    text += show(span.spine.numerator[i](t).to_double() / q) + (i < 2 ? ", " : ")");
-  }
-  return text;
-}
-
-std::string interval(const Span& span, double begin, double end) {
-  return "parameters " + show(parameter(span, begin)) + " to " + show(parameter(span, end));
+std::string at_all(const Span& span) {
+  return "at parameters " + show(parameter(span, 0)) + " to " + show(parameter(span, 1));
 }
 
 /// Throws with a sentence that says of a function what is wrong, and where.
@@ -87,21 +74,18 @@ void require_positive(const Polynomial& p, const Span& span, const std::string& 
   const auto refuse = [&](const std::string& fault) {
     throw GeometryError(ErrorCode::kBadAxis, name + fault + ". It must be positive everywhere.");
   };
-  if (p.is_zero()) refuse(" is zero at " + interval(span, 0, 1));
-  const std::vector<RealRoot> roots = roots_in_unit_interval(p);
-  if (const auto negative = first_negative_interval(p, roots)) {
-    refuse(" is negative at " + interval(span, negative->begin, negative->end));
+  if (p.is_zero()) refuse(" is zero " + at_all(span));
+  if (const auto negative = first_negative_interval(p)) {
+    refuse(" is negative at " + interval(span, (*negative)[0], (*negative)[1]));
   }
-  refuse(" is zero at " + place(span, roots.front().value.midpoint()));
+  refuse(" is zero " + at(span, roots_in_unit_interval(p).front().value.midpoint()));
 }
 
 Direction tangent(const Span& span) {
-  const TangentDirection found =
-      tangent_direction({span.spine.numerator, Polynomial(), span.spine.denominator});
+  const TangentDirection found = tangent_direction(span.spheres);
   if (found.content.is_zero()) {
-    throw GeometryError(
-        ErrorCode::kZeroLength,
-        "The spine stands still at " + interval(span, 0, 1) + ": this span has no length.");
+    throw GeometryError(ErrorCode::kZeroLength,
+                        "The spine stands still " + at_all(span) + ": this span has no length.");
   }
   return found.circles.axis;
 }
@@ -109,13 +93,13 @@ Direction tangent(const Span& span) {
 void require_to_cross(const Direction& normal, const Span& span) {
   const Polynomial rise = dot(tangent(span), normal);
   if (rise.is_zero()) {
-    throw GeometryError(ErrorCode::kBadAxis, "The spine runs within the plane of a section at " +
-                                                 interval(span, 0, 1) + ". Choose another normal.");
+    throw GeometryError(ErrorCode::kBadAxis, "The spine runs within the plane of a section " +
+                                                 at_all(span) + ". Choose another normal.");
   }
   const std::vector<RealRoot> roots = roots_in_unit_interval(rise);
   if (roots.empty()) return;
-  throw GeometryError(ErrorCode::kBadAxis, "The spine runs parallel to the sections at " +
-                                               place(span, roots.front().value.midpoint()) +
+  throw GeometryError(ErrorCode::kBadAxis, "The spine runs parallel to the sections " +
+                                               at(span, roots.front().value.midpoint()) +
                                                ". Choose another normal.");
 }
 
@@ -132,9 +116,8 @@ Span directed(Span span, const SectionPlanes& planes) {
   const std::string which = planes.normal ? "normal of the sections" : "spine";
   const Direction sideways = cross(normal, up);
   if (is_zero(sideways)) {
-    throw GeometryError(ErrorCode::kBadAxis, "The direction upwards is that of the " + which +
-                                                 " at " + interval(span, 0, 1) +
-                                                 ". Choose another one.");
+    throw GeometryError(ErrorCode::kBadAxis, "The direction upwards is that of the " + which + " " +
+                                                 at_all(span) + ". Choose another one.");
   }
   span.sideways = coprime(sideways);
   span.upwards = coprime(cross(span.sideways, normal));
@@ -180,10 +163,10 @@ std::vector<Span> spans_of(const Curve& spine, const SectionPlanes& planes,
     breaks = united_breaks(breaks, functions.back().breaks);
   }
   for (PiecewiseRational<1>& function : functions) function = refined(function, breaks);
-  const std::vector<RationalSpan<3>> parts = refined(spine.function(), breaks).spans;
+  std::vector<SphereSpan> parts = sphere_spans(spine, Law::constant(0), breaks);
   std::vector<Span> spans(parts.size());
   for_each_index(spans.size(), [&](std::size_t i) {
-    Span span{parts[i], {}, breaks[i], breaks[i + 1], {}, {}};
+    Span span{std::move(parts[i]), {}, {}, {}};
     for (const PiecewiseRational<1>& function : functions) span.laws.push_back(function.spans[i]);
     spans[i] = directed(std::move(span), planes);
   });
@@ -204,8 +187,8 @@ void require_no_corner(const Span& left, const Span& right) {
       std::max(turn(left.sideways, right.sideways), turn(left.upwards, right.upwards));
   if (angle <= kRoundingAngle) return;
   throw GeometryError(ErrorCode::kCornerTooSharp,
-                      "The sections turn by " + show(angle * 180 / M_PI) + " degrees at " +
-                          place(right, 0) +
+                      "The sections turn by " + show(angle * 180 / M_PI) + " degrees " +
+                          at(right, 0) +
                           ": they would not join. Round the corner of the spine, or take parallel "
                           "sections.");
 }
@@ -213,9 +196,9 @@ void require_no_corner(const Span& left, const Span& right) {
 MovingConic in_frame(const Span& span, const Matrix3<Polynomial>& conic) {
   MovingConic result;
   for (std::size_t i = 0; i < 3; ++i) {
-    result.frame[i] = {span.sideways[i], span.upwards[i], span.spine.numerator[i]};
+    result.frame[i] = {span.sideways[i], span.upwards[i], span.spheres.centre[i]};
   }
-  result.frame[3] = {Polynomial(), Polynomial(), span.spine.denominator};
+  result.frame[3] = {Polynomial(), Polynomial(), span.spheres.denominator};
   result.conic = conic;
   return result;
 }
@@ -230,7 +213,7 @@ ConicSpan ellipses(const Span& span) {
   const Polynomial zero;
   const Polynomial across = square(a.denominator * b.numerator[0]),
                    along = square(b.denominator * a.numerator[0]),
-                   weight = square(span.spine.denominator * a.numerator[0] * b.numerator[0]);
+                   weight = square(span.spheres.denominator * a.numerator[0] * b.numerator[0]);
   return {in_frame(span, {{{dot(span.sideways, span.sideways) * across, zero, zero},
                            {zero, dot(span.upwards, span.upwards) * along, zero},
                            {zero, zero, -weight}}}),
@@ -244,7 +227,7 @@ Polynomial length(const Direction& direction, const Span& span) {
   for (const SquarefreeFactor& part : squarefree_factorization(squared)) {
     if (part.multiplicity % 2 != 0) {
       throw GeometryError(ErrorCode::kNotRational,
-                          "Sections from the vertex are not rational at " + interval(span, 0, 1) +
+                          "Sections from the vertex are not rational " + at_all(span) +
                               ": the length of their direction upwards is not. Take parallel "
                               "sections, or a plane spine and the normal of its plane as the "
                               "direction upwards.");
@@ -265,13 +248,14 @@ ConicSpan from_the_vertex(const Span& span) {
   const Polynomial zero, unit = length(span.upwards, span);
   const Polynomial one_and_constant = constant.denominator + constant.numerator[0];
   const Polynomial linear =
-      -radius.numerator[0] * constant.denominator * unit * span.spine.denominator;
-  return {in_frame(span,
-                   {{{radius.denominator * constant.denominator * dot(span.sideways, span.sideways),
-                      zero, zero},
-                     {zero, radius.denominator * one_and_constant * square(unit), linear},
-                     {zero, linear, zero}}}),
-          Direction{zero, -depth.denominator * unit, depth.numerator[0] * span.spine.denominator}};
+      -radius.numerator[0] * constant.denominator * unit * span.spheres.denominator;
+  return {
+      in_frame(span,
+               {{{radius.denominator * constant.denominator * dot(span.sideways, span.sideways),
+                  zero, zero},
+                 {zero, radius.denominator * one_and_constant * square(unit), linear},
+                 {zero, linear, zero}}}),
+      Direction{zero, -depth.denominator * unit, depth.numerator[0] * span.spheres.denominator}};
 }
 
 std::vector<Law> laws_of(const ConicSection& section) {
@@ -286,7 +270,7 @@ std::vector<ConicSpan> moving_conic_section(const Curve& spine, const SectionPla
                                             const ConicSection& section) {
   const std::vector<Span> spans = spans_of(spine, planes, laws_of(section));
   for (std::size_t i = 0; i + 1 < spans.size(); ++i) require_no_corner(spans[i], spans[i + 1]);
-  if (joins(spans.back().spine, spans.front().spine)) {
+  if (joins(spine.function().spans.back(), spine.function().spans.front())) {
     require_no_corner(spans.back(), spans.front());
   }
   const auto conics = std::holds_alternative<HalfAxes>(section) ? ellipses : from_the_vertex;

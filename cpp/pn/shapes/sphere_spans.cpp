@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "pn/algebra/parallel.hpp"
+#include "pn/algebra/roots.hpp"
 
 namespace pn {
 namespace {
@@ -71,6 +72,40 @@ bool meets(const SphereSpan& left, const SphereSpan& right, int order) {
          equal(left.spheres.radius, right.spheres.radius) &&
          std::equal(left.spheres.centre.begin(), left.spheres.centre.end(),
                     right.spheres.centre.begin(), equal);
+}
+
+std::optional<std::array<double, 2>> first_negative_interval(const RationalPolynomial& p) {
+  std::vector<double> cuts = {0};
+  for (const RealRoot& root : roots_in_unit_interval(p)) cuts.push_back(root.value.midpoint());
+  cuts.push_back(1);
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    if (cuts[i] == cuts[i + 1]) continue;
+    if (p(Rational::exactly((cuts[i] + cuts[i + 1]) / 2)).sign() < 0) {
+      return std::array<double, 2>{cuts[i], cuts[i + 1]};
+    }
+  }
+  return std::nullopt;
+}
+
+double parameter(const SphereSpan& span, double local) {
+  const double begin = span.begin.to_double();
+  return begin + local * (span.end.to_double() - begin);
+}
+
+std::string place(const SphereSpan& span, double local) {
+  const Rational t = Rational::exactly(local);
+  const double w = span.spheres.denominator(t).to_double();
+  std::string text = "(";
+  for (std::size_t i = 0; i < 3; ++i) {
+    text += show(span.spheres.centre[i](t).to_double() / w) + (i < 2 ? ", " : ")");
+  }
+  return text;
+}
+
+std::string interval(const SphereSpan& span, double begin, double end) {
+  return "parameters " + show(parameter(span, begin)) + " to " + show(parameter(span, end)) +
+         ", near point " + place(span, (begin + end) / 2);
 }
 
 std::string show(double value) {
