@@ -277,6 +277,7 @@ def _table_values(rows):
 
 
 def lengths(values):
+    """The numbers of a list of lengths, in millimetres."""
     return [_number(value) for value in values]
 
 

@@ -2,10 +2,11 @@
 """The surface of a moving conic section in the tree: ellipses along a spine."""
 
 import FreeCAD
+import Part
 
 from pnsurfaces import kernel
 from pnsurfaces.canal_surface import lengths
-from pnsurfaces.edge_chain import ChainError
+from pnsurfaces.edge_chain import CONFUSION, ChainError
 from pnsurfaces.edge_fit import exact_where_possible
 from pnsurfaces.feature import (
     QT_TRANSLATE_NOOP,
@@ -24,6 +25,9 @@ from pnsurfaces.spine import read_spine
 from pnsurfaces.spline_fit import FIT_TOLERANCE, deviation_of
 
 GROUP = "Moving conic section"
+
+# Directions upwards, the first that suits a spine.
+_UPRIGHT = (FreeCAD.Vector(0, 0, 1), FreeCAD.Vector(0, 1, 0), FreeCAD.Vector(1, 0, 0))
 
 PERPENDICULAR = "Perpendicular"
 PARALLEL = "Parallel"
@@ -160,6 +164,23 @@ def _spine(obj):
             " its fit would be off is not known: choose parallel sections, or another spine."
         )
     return spine
+
+
+def suitable_up(edges):
+    """A direction upwards for a spine: the normal of its plane, or the z axis, or y beside that."""
+    plane = Part.Compound(edges).findPlane()
+    directions = [plane.Axis] if plane else []
+    for up in (*directions, *_UPRIGHT):
+        if not any(_is_line_along(edge, up) for edge in edges):
+            upwards = up if up.dot(FreeCAD.Vector(1, 2, 4)) > 0 else -up
+            return tuple(x + 0.0 for x in upwards)
+    return tuple(_UPRIGHT[0])
+
+
+def _is_line_along(edge, direction):
+    if not isinstance(edge.Curve, Part.Line):
+        return False
+    return edge.Curve.Direction.cross(direction).Length <= CONFUSION
 
 
 def make_moving_conic_section(spine, half_axes, *, up=(0, 0, 1), normal=None, document=None,
