@@ -89,9 +89,9 @@ class PanelTest(SectionTest):
         self.input("radii").setCurrentIndex(self.panel.table.index(0, 0))
         self.input("add_row").click()
         self.assertEqual(self.panel.table.rowCount(), 3)
-        self.assertTrue(self.panel.table.setData(self.panel.table.index(1, 2), "0.5 mm"))
+        self.assertTrue(self.panel.table.setData(self.panel.table.index(1, 2), "6 mm"))
         wait_for_preview()
-        self.assertIn(0.5, self.feature.HalfHeights)
+        self.assertIn(6, self.feature.HalfHeights)
         self.assertTrue(self.feature.isValid(), self.feature.getStatusString())
         main_window.screenshot("moving_conic_section_table")
 

@@ -51,7 +51,8 @@ class MovingConicSectionPanel(SpinePanel):
         inputs = inputs_of_law(law)
         show_if("HalfWidth" in inputs,
                 form.side_label, form.HalfWidth, form.height_label, form.HalfHeight)
-        show_if(law == LINEAR, form.start, form.end, form.EndHalfWidth, form.EndHalfHeight)
+        show_if(law == LINEAR,
+                form.end_side_label, form.EndHalfWidth, form.end_height_label, form.EndHalfHeight)
         show_if("PositionBy" in inputs, form.position_label, form.PositionBy)
         show_if(law == EXPRESSION,
                 form.side_expression_label, form.HalfWidthExpression,
