@@ -131,6 +131,6 @@ EXAMPLES = (
             "PNSurfaces",
             "A duct from a flat opening to a round pipe, around a bend: true ellipses along a spine.",
         ),
-        ("Duct",), ("Duct",), 20, 30,
+        ("Duct",), ("Duct",), -65, 30,
     ),
 )
