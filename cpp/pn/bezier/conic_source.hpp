@@ -2,7 +2,8 @@
 // Conic source: the surface of a moving conic as a source of sections.
 //
 // Its points are those of conic_points.hpp, its lines those of conic_lines.hpp. Unit normals are
-// not rational in general, so there are no sections but the one at distance zero.
+// not rational in general, so there are no sections but the one at distance zero. The ends of arcs
+// are edges of trimmed faces (band_trims.hpp).
 #pragma once
 
 #include <string>
@@ -20,7 +21,8 @@ class ConicSource : public SectionSource {
   /// Span number i is the surface over [i, i + 1]; it is closed when the last conic is the first.
   ///
   /// Throws GeometryError: kSingularConics, kNoRealPoints, kGap where spans do not meet,
-  /// kRegionUnbounded where a conic has points at infinity, kDegreeTooHigh.
+  /// kRegionUnbounded where a conic or its part has points at infinity, kRegionEmpty where a cut
+  /// does not meet its conic in two points, kDegreeTooHigh.
   explicit ConicSource(const std::vector<ConicSpan>& spans, std::vector<std::string> notes = {});
 
   std::array<int, 2> degree() const override;
@@ -31,7 +33,7 @@ class ConicSource : public SectionSource {
   std::vector<std::string> notes() const override { return notes_; }
 
  private:
-  EllipseChain chain_;
+  ConicChain chain_;
   std::vector<std::string> notes_;
 };
 
