@@ -124,4 +124,13 @@ EXAMPLES = (
         ),
         ("Near", "Middle", "Far"), (), 30, 20,
     ),
+    Example(
+        "duct",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Duct"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces",
+            "A duct from a flat opening to a round pipe, around a bend: true ellipses along a spine.",
+        ),
+        ("Duct",), ("Duct",), -65, 30,
+    ),
 )

@@ -2,6 +2,9 @@
 #include "pn/conics/rational_lattice.hpp"
 
 #include <algorithm>
+#include <vector>
+
+#include "pn/algebra/power_of_two.hpp"
 
 namespace pn {
 namespace {
@@ -23,6 +26,14 @@ Matrix3<Polynomial> reduced(Matrix3<Polynomial> m, const ResidueField& field) {
     for (Polynomial& entry : row) entry = field.reduced(entry);
   }
   return m;
+}
+
+/// What makes of polynomials some whose coefficients have no common factor but a power of two, and
+/// are at most about 1: doubles look for lines later on, and long integers are too large for them.
+Polynomial to_short_numbers(const std::vector<Polynomial>& polynomials) {
+  Rational common;
+  for (const Polynomial& p : polynomials) common = gcd(common, content(p));
+  return Polynomial(power_of_two_near(common) / (common * power_of_two_near(polynomials)));
 }
 
 }  // namespace
@@ -147,16 +158,13 @@ void RationalLattice::reduce() {
 
 void RationalLattice::make_primitive() {
   for (std::size_t j = 0; j < 3; ++j) {
-    const Rational common =
-        gcd(gcd(content(basis_[0][j]), content(basis_[1][j])), content(basis_[2][j]));
-    multiply(j, Polynomial(Rational(1) / common));
+    multiply(j, to_short_numbers({basis_[0][j], basis_[1][j], basis_[2][j]}));
   }
-  Rational common;
-  for (const auto& row : conic_) {
-    for (const Polynomial& entry : row) common = gcd(common, content(entry));
-  }
+  std::vector<Polynomial> entries;
+  for (const auto& row : conic_) entries.insert(entries.end(), row.begin(), row.end());
+  const Polynomial factor = to_short_numbers(entries);
   for (auto& row : conic_) {
-    for (Polynomial& entry : row) entry *= Polynomial(Rational(1) / common);
+    for (Polynomial& entry : row) entry *= factor;
   }
 }
 
