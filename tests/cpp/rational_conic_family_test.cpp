@@ -140,6 +140,46 @@ TEST_CASE("Y^2 + c^2 W^2 - 2 f W P with real zeros of f has degree 2 h and is ra
   }
 }
 
+TEST_CASE("Y^2 - 2 c^2 W^2 - 2 f W P has degree h by one irrational line at each double zero of f",
+          "[rational_conic_family]") {
+  // Both lines at once are rational and give degree 2 h, as above.
+  RationalPolynomial f(1L), c(7L);
+  for (int h = 1; h <= 5; ++h) {
+    INFO("h = " << h);
+    f *= poly({-h, 1});
+    c *= poly({1, 1});
+    const RationalPolynomial zero, two(2L);
+    const ConicFamily family =
+        conic_family({{{1L, zero, zero}, {zero, -two * c * c, -f}, {zero, -f, zero}}}, {0, h, 0});
+    const RationalConicFamily conics(family);
+    check_identity(family, conics);
+    CHECK(conics.least_degree() == h);
+    CHECK(conics.degree() == h);
+    CHECK_FALSE(conics.rational_points().has_value());
+  }
+}
+
+TEST_CASE("Lines at only some of the conjugate zeros give the least degree",
+          "[rational_conic_family]") {
+  // Y^2 - 2 c^2 W^2 - 2 f W P with an f irreducible over Q: real zeros are turned one by one, pairs
+  // of conjugate zeros by two units each, so that one unit is left where their number is odd.
+  const auto degree_over_least = [](const RationalPolynomial& f, const RationalPolynomial& c) {
+    const int h = f.degree();
+    const RationalPolynomial zero, two(2L);
+    const ConicFamily family =
+        conic_family({{{1L, zero, zero}, {zero, -two * c * c, -f}, {zero, -f, zero}}}, {0, h, 0});
+    const RationalConicFamily conics(family);
+    check_identity(family, conics);
+    CHECK(conics.least_degree() == h);
+    return conics.degree() - h;
+  };
+  const RationalPolynomial c = poly({1, 1, 3});
+  CHECK(degree_over_least(poly({-2, 0, 1}), c) == 0);
+  CHECK(degree_over_least(poly({2, 0, 1}), c) == 0);
+  CHECK(degree_over_least(poly({-2, 0, 0, 1}), poly({1, 1, 3, 5})) == 0);
+  CHECK(degree_over_least(poly({2, -4, 0, 0, 1}), poly({1, 1, 3, 5, 2})) == 0);
+}
+
 TEST_CASE("Squarefree diagonal families: degree of the ansatz, or one more with odd parity",
           "[rational_conic_family]") {
   RandomConics random(1);

@@ -2,7 +2,6 @@
 #include "pn/conics/rational_conic_family.hpp"
 
 #include <algorithm>
-#include <random>
 
 #include "pn/algebra/precision.hpp"
 #include "pn/conics/conic_normal_form.hpp"
@@ -35,26 +34,31 @@ int lower_degrees(const RationalLattice& a, const RationalLattice& b) {
   return squares_of_degrees(a) <= squares_of_degrees(b) ? 0 : 1;
 }
 
-/// The steps over Q, by a few choices where nothing else is free; the one of least degree.
-RationalSteps best_rational_steps(const ConicFamily& family, const SingularConics& singular,
-                                  int least_degree) {
-  constexpr int kAttempts = 8;
-  const auto steps = [&](const ChooseLattice& choose) {
-    return rational_steps(family, singular, choose, MultipleIrrational::kTakeBoth);
+Vector3<Polynomial> lowest_column(const RationalLattice& lattice) {
+  const std::size_t low = ascending(lattice.degree()).front();
+  const auto& p = lattice.basis();
+  return {p[0][low], p[1][low], p[2][low]};
+}
+
+/// At each place the line on which the point does not lie, as long as its degree stays below m + 1.
+ChooseLattice away_from(const Vector3<Polynomial>& point, int m) {
+  return [=](const RationalLattice& a, const RationalLattice& b) {
+    const int degree_in_a = in_lattice(a, point).degree, degree_in_b = in_lattice(b, point).degree;
+    if (degree_in_a == degree_in_b) return lower_degrees(a, b);
+    const int farther = degree_in_a > degree_in_b ? 0 : 1;
+    return std::max(degree_in_a, degree_in_b) <= m ? farther : 1 - farther;
   };
-  RationalSteps best = steps(lower_degrees);
-  const auto is_final = [&] {
-    return best.choices == 0 || !best.left.empty() || highest(best.lattice) == least_degree;
-  };
-  std::mt19937 generator;
-  const auto any = [&](const RationalLattice&, const RationalLattice&) {
-    return static_cast<int>(generator() % 2);
-  };
-  for (int attempt = 1; attempt < kAttempts && !is_final(); ++attempt) {
-    RationalSteps other = steps(any);
-    if (highest(other.lattice) < highest(best.lattice)) best = std::move(other);
-  }
-  return best;
+}
+
+/// The steps over Q. If they lead to a > 0 their lowest column tells how to turn the choices
+/// (line_conditions.hpp); conjugate zeros turn together here.
+RationalSteps least_rational_steps(const ConicFamily& family, const SingularConics& singular,
+                                   int m) {
+  RationalSteps steps = rational_steps(family, singular, lower_degrees, Leave::kOddIrrational);
+  if (!steps.left.empty() || steps.choices == 0 || highest(steps.lattice) == m) return steps;
+  RationalSteps turned = rational_steps(
+      family, singular, away_from(lowest_column(steps.lattice), m), Leave::kOddIrrational);
+  return highest(turned.lattice) < highest(steps.lattice) ? turned : steps;
 }
 
 Form<Rational> form(const Polynomial& p, int degree) {
@@ -88,44 +92,40 @@ void elevate(Matrix3<Form<T>>& points, int degree, const Vector3<int>& row_degre
   }
 }
 
-/// The choice number `attempt`: the first lines, then with another one at the last real place,
-/// which changes the parity, then any.
-LineChoice line_choice(const std::vector<LinePair>& pairs, unsigned attempt) {
-  LineChoice choice;
-  for (const LinePair& pair : pairs) choice.push_back(pair.multiplicity);
-  if (attempt == 1) {
-    const auto real = std::find_if(pairs.rbegin(), pairs.rend(), [](const LinePair& pair) {
-      return pair.kind == LinePair::Kind::kRealLines;
-    });
-    if (real != pairs.rend()) --choice[static_cast<std::size_t>(pairs.rend() - real) - 1];
-  } else if (attempt > 1) {
-    std::mt19937 generator(attempt);
-    for (int& conditions : choice) {
-      conditions = static_cast<int>(generator() % static_cast<unsigned>(conditions + 1));
-    }
-  }
-  return choice;
+std::optional<QuadraticPoints> points_of_splitting(const LineConditions& conditions,
+                                                   const TurnedChoice& decided) {
+  return decided.splitting == 0 ? conditions.balanced_points(decided.choice)
+                                : conditions.unbalanced_points(decided.choice, decided.splitting);
 }
 
-struct DecidedChoice {
-  LineChoice choice;
-  int degree;
-};
-
-/// A choice of lines of degree m, or m + 1 if the parity is odd. Throws Undecided.
-DecidedChoice best_line_choice(const RationalSteps& steps, const LineConditions& conditions) {
-  constexpr unsigned kAttempts = 32;
-  const int m = conditions.least_degree();
-  const LineChoice first = line_choice(conditions.pairs(), 0);
-  if (conditions.balanced_points(first)) return {first, m};
-  const bool is_odd = !conditions.has_real_places() && parity_of_splitting(steps.lattice, m) == 1;
-  for (unsigned attempt = 0; attempt < kAttempts; ++attempt) {
-    const LineChoice choice = line_choice(conditions.pairs(), attempt);
-    if (is_odd ? conditions.unbalanced_points(choice) : conditions.balanced_points(choice)) {
-      return {choice, is_odd ? m + 1 : m};
-    }
+/// Where a place of odd multiplicity has irrational lines: a = 0, or a = 1 with odd parity. Throws
+/// Undecided.
+TurnedChoice balanced_choice(const RationalSteps& steps, const LineConditions& conditions) {
+  LineChoice first;
+  for (const LinePair& pair : conditions.pairs()) first.push_back(pair.multiplicity);
+  if (conditions.balanced_points(first)) return {first, 0};
+  const int parity = conditions.has_real_lines()
+                         ? 0
+                         : parity_of_splitting(steps.lattice, conditions.least_degree());
+  if (parity == 1 && conditions.unbalanced_points(first, 1)) return {first, 1};
+  const TurnedChoice turned = conditions.turned_away(first, conditions.lowest_column(first));
+  if (turned.splitting != parity || !points_of_splitting(conditions, turned)) {
+    throw Undecided("the degree of a family of conics");
   }
-  throw Undecided("the degree of a family of conics");
+  return turned;
+}
+
+/// Where a curve runs on the conics, over Q: the least a of all choices at single zeros, or nothing
+/// if it is not below `splitting`. Throws Undecided.
+std::optional<TurnedChoice> choice_away_from(const LatticePoint& curve,
+                                             const LineConditions& conditions, int splitting) {
+  const PointInBalls w = conditions.in_balls(curve);
+  const TurnedChoice turned = conditions.turned_away(conditions.choice_through(w), w);
+  if (turned.splitting >= splitting) return std::nullopt;
+  if (!points_of_splitting(conditions, turned)) {
+    throw Undecided("the degree of a family of conics");
+  }
+  return turned;
 }
 
 }  // namespace
@@ -136,45 +136,69 @@ RationalConicFamily::RationalConicFamily(const ConicFamily& family) {
   }
   const SingularConics singular = singular_conics(family);
   least_degree_ = pn::least_degree(family, singular);
-  RationalSteps steps = best_rational_steps(family, singular, least_degree_);
+  RationalSteps steps = least_rational_steps(family, singular, least_degree_);
   if (!steps.left.empty()) {
-    at_sufficient_precision([&](long precision) { choose_lines(steps, precision); });
-    return;
+    choose_irrational_lines(family, singular, std::move(steps));
+  } else if (highest(steps.lattice) == least_degree_ ||
+             !choose_lines_for_lower_degree(family, singular, steps)) {
+    set_rational_steps(std::move(steps));
   }
-  if (highest(steps.lattice) > least_degree_ && steps.double_points > 0 &&
-      choose_lines_for_lower_degree(family, singular, highest(steps.lattice))) {
-    return;
-  }
+}
+
+/// No point is rational. The parity is free if any place has real lines, be they rational.
+void RationalConicFamily::choose_irrational_lines(const ConicFamily& family,
+                                                  const SingularConics& singular,
+                                                  RationalSteps steps) {
+  const auto choose = [&](RationalSteps from) {
+    steps_ = std::make_shared<const RationalSteps>(std::move(from));
+    at_sufficient_precision([&](long precision) {
+      const LineConditions conditions(*steps_, line_pairs(*steps_, precision), precision);
+      set_choice(conditions, balanced_choice(*steps_, conditions));
+    });
+  };
+  const bool may_be_turned = steps.choices + steps.double_points > 0;
+  choose(std::move(steps));
+  if (degree_ == least_degree_ || !may_be_turned) return;
+  RationalSteps all = rational_steps(family, singular, lower_degrees, Leave::kEveryChoice);
+  const bool has_real_lines = at_sufficient_precision([&](long precision) {
+    return LineConditions(all, line_pairs(all, precision), precision).has_real_lines();
+  });
+  if (has_real_lines) choose(std::move(all));
+}
+
+/// Other lines at single zeros than at their conjugates may give a lower degree, but no longer over
+/// Q.
+bool RationalConicFamily::choose_lines_for_lower_degree(const ConicFamily& family,
+                                                        const SingularConics& singular,
+                                                        const RationalSteps& rational) {
+  if (rational.choices + rational.double_points == 0) return false;
+  auto steps = std::make_shared<const RationalSteps>(
+      rational_steps(family, singular, lower_degrees, Leave::kEveryChoice));
+  const LatticePoint curve = in_lattice(steps->lattice, lowest_column(rational.lattice));
+  return at_sufficient_precision([&](long precision) {
+    const LineConditions conditions(*steps, line_pairs(*steps, precision), precision);
+    const auto decided =
+        choice_away_from(curve, conditions, highest(rational.lattice) - least_degree_);
+    if (!decided) return false;
+    steps_ = steps;
+    set_choice(conditions, *decided);
+    return true;
+  });
+}
+
+void RationalConicFamily::set_choice(const LineConditions& conditions,
+                                     const TurnedChoice& decided) {
+  chosen_ = places_of(conditions.pairs(), decided.choice);
+  degree_ = least_degree_ + decided.splitting;
+}
+
+void RationalConicFamily::set_rational_steps(RationalSteps steps) {
   degree_ = highest(steps.lattice);
   if (degree_ > least_degree_) {
     rational_points_ = points_of_unbalanced_lattice(unbalanced(steps.lattice));
     elevate(*rational_points_, degree_, steps.lattice.row_degree());
   }
   steps_ = std::make_shared<const RationalSteps>(std::move(steps));
-}
-
-void RationalConicFamily::choose_lines(const RationalSteps& steps, long precision) {
-  const LineConditions conditions(steps, line_pairs(steps, precision), precision);
-  const DecidedChoice best = best_line_choice(steps, conditions);
-  chosen_ = places_of(conditions.pairs(), best.choice);
-  degree_ = best.degree;
-  steps_ = std::make_shared<const RationalSteps>(steps);
-}
-
-/// Both irrational lines at once are rational, but one of them may give a lower degree. No theorem
-/// says so, so one precision must do.
-bool RationalConicFamily::choose_lines_for_lower_degree(const ConicFamily& family,
-                                                        const SingularConics& singular,
-                                                        int degree) {
-  try {
-    choose_lines(rational_steps(family, singular, lower_degrees, MultipleIrrational::kLeave),
-                 2 * kLeastPrecision);
-    if (degree_ < degree) return true;
-  } catch (const Undecided&) {
-    // No choice of lower degree was proved; the rational one stands.
-  }
-  chosen_.clear();
-  return false;
 }
 
 QuadraticPoints RationalConicFamily::points(long precision) const {
@@ -199,9 +223,8 @@ QuadraticPoints RationalConicFamily::points(long precision) const {
 
 QuadraticPoints RationalConicFamily::points_of_choice(long precision) const {
   const LineConditions conditions(*steps_, line_pairs(*steps_, precision), precision);
-  const LineChoice choice = recognized(conditions.pairs(), chosen_);
-  const auto points = degree_ == least_degree_ ? conditions.balanced_points(choice)
-                                               : conditions.unbalanced_points(choice);
+  const auto points = points_of_splitting(
+      conditions, {recognized(conditions.pairs(), chosen_), degree_ - least_degree_});
   if (!points) throw Undecided("the points of a family of conics");
   return *points;
 }
