@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "pn/algebra/precision.hpp"
+#include "pn/algebra/rational_point_on_conic.hpp"
 #include "pn/conics/conic_normal_form.hpp"
 #include "pn/conics/nappe_transport.hpp"
 
@@ -82,6 +83,64 @@ UnbalancedLattice<Rational> unbalanced(const RationalLattice& lattice) {
   result.q12 = form(q[middle][high], e[middle] + e[high] + lattice.twist());
   result.q22 = form(q[high][high], 2 * e[high] + lattice.twist());
   return result;
+}
+
+/// Of a constant conic Q with a point p, like an unbalanced lattice of splitting 0: the columns
+/// P p, P w with w on the tangent at p, and one that is not.
+UnbalancedLattice<Rational> with_point(const RationalLattice& lattice,
+                                       const Matrix3<Rational>& conic, const Vector3<Rational>& p) {
+  Vector3<Rational> tangent;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) tangent[i] += conic[i][j] * p[j];
+  }
+  std::size_t k = 0;
+  while (tangent[k].is_zero()) ++k;
+  std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+  if (p[j].is_zero()) std::swap(i, j);
+  Vector3<Rational> w, off;
+  w[i] = tangent[k];
+  w[k] = -tangent[i];
+  off[k] = Rational(1);
+  const Vector3<Vector3<Rational>> columns = {p, w, off};
+  const auto value = [&](std::size_t a, std::size_t b) {
+    Rational sum;
+    for (std::size_t x = 0; x < 3; ++x) {
+      for (std::size_t y = 0; y < 3; ++y) sum += columns[a][x] * conic[x][y] * columns[b][y];
+    }
+    return sum;
+  };
+  UnbalancedLattice<Rational> result;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t b = 0; b < 3; ++b) {
+        const int degree = lattice.degree()[b] - lattice.row_degree()[row];
+        result.basis[row][a] += form(lattice.basis()[row][b], degree) * columns[a][b];
+      }
+    }
+  }
+  result.alpha = value(0, 2);
+  result.beta = value(1, 1);
+  result.q12 = Form<Rational>::constant(value(1, 2));
+  result.q22 = Form<Rational>::constant(value(2, 2));
+  return result;
+}
+
+Matrix3<Rational> constant_conic(const RationalLattice& lattice) {
+  Matrix3<Rational> conic;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) conic[i][j] = lattice.conic()[i][j].coefficient(0);
+  }
+  return conic;
+}
+
+/// Of the whole lattice over Q.
+std::optional<Matrix3<Form<Rational>>> points_over_rationals(const RationalLattice& lattice,
+                                                             int m) {
+  if (highest(lattice) > m) return points_of_unbalanced_lattice(unbalanced(lattice));
+  const Matrix3<Rational> conic = constant_conic(lattice);
+  const PointOnConic found = rational_point_on_conic(conic);
+  if (found.points != RationalPoints::kExist) return std::nullopt;
+  return points_of_unbalanced_lattice(with_point(lattice, conic, found.point));
 }
 
 /// Written with the degree n in t.
@@ -194,10 +253,8 @@ void RationalConicFamily::set_choice(const LineConditions& conditions,
 
 void RationalConicFamily::set_rational_steps(RationalSteps steps) {
   degree_ = highest(steps.lattice);
-  if (degree_ > least_degree_) {
-    rational_points_ = points_of_unbalanced_lattice(unbalanced(steps.lattice));
-    elevate(*rational_points_, degree_, steps.lattice.row_degree());
-  }
+  rational_points_ = points_over_rationals(steps.lattice, least_degree_);
+  if (rational_points_) elevate(*rational_points_, degree_, steps.lattice.row_degree());
   steps_ = std::make_shared<const RationalSteps>(std::move(steps));
 }
 
@@ -231,11 +288,10 @@ QuadraticPoints RationalConicFamily::points_of_choice(long precision) const {
 
 QuadraticPoints RationalConicFamily::points_of_constant(long precision) const {
   const RationalLattice& lattice = steps_->lattice;
+  const Matrix3<Rational> exact = constant_conic(lattice);
   Matrix3<RealBall> conic;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      conic[i][j] = RealBall(lattice.conic()[i][j].coefficient(0), precision);
-    }
+    for (std::size_t j = 0; j < 3; ++j) conic[i][j] = RealBall(exact[i][j], precision);
   }
   const auto columns = points_of_constant_conic(conic);
   if (!columns) throw Undecided("the signs of a constant conic");

@@ -41,7 +41,8 @@ class RationalConicFamily {
 
   /// B_ik, of formal degree n - f_i, enclosed at about this precision. Throws Undecided.
   QuadraticPoints points(long precision) const;
-  /// B over Q, if no root of an equation was needed.
+  /// B over Q, if there is one of this degree: no root of an equation was needed, and a constant
+  /// conic at the end has a rational point that was found (rational_point_on_conic.hpp).
   const std::optional<Matrix3<Form<Rational>>>& rational_points() const { return rational_points_; }
 
  private:
