@@ -151,40 +151,48 @@ void elevate(Matrix3<Form<T>>& points, int degree, const Vector3<int>& row_degre
   }
 }
 
-std::optional<QuadraticPoints> points_of_splitting(const LineConditions& conditions,
-                                                   const TurnedChoice& decided) {
-  return decided.splitting == 0 ? conditions.balanced_points(decided.choice)
-                                : conditions.unbalanced_points(decided.choice, decided.splitting);
+std::optional<QuadraticPoints> points_of(const LineConditions& conditions, const LineChoice& choice,
+                                         int splitting) {
+  return splitting == 0 ? conditions.balanced_points(choice)
+                        : conditions.unbalanced_points(choice, splitting);
+}
+
+/// A choice of lines and its points, which prove the degree.
+struct ProvedChoice {
+  LineChoice choice;
+  QuadraticPoints points;
+};
+
+ProvedChoice proved(const LineConditions& conditions, const LineChoice& choice, int splitting) {
+  auto points = points_of(conditions, choice, splitting);
+  if (!points) throw Undecided("the degree of a family of conics");
+  return {choice, std::move(*points)};
 }
 
 /// Where a place of odd multiplicity has irrational lines: a = 0, or a = 1 with odd parity. Throws
 /// Undecided.
-TurnedChoice balanced_choice(const RationalSteps& steps, const LineConditions& conditions) {
+ProvedChoice balanced_choice(const RationalSteps& steps, const LineConditions& conditions) {
   LineChoice first;
   for (const LinePair& pair : conditions.pairs()) first.push_back(pair.multiplicity);
-  if (conditions.balanced_points(first)) return {first, 0};
+  if (const auto points = conditions.balanced_points(first)) return {first, *points};
   const int parity = conditions.has_real_lines()
                          ? 0
                          : parity_of_splitting(steps.lattice, conditions.least_degree());
-  if (parity == 1 && conditions.unbalanced_points(first, 1)) return {first, 1};
-  const TurnedChoice turned = conditions.turned_away(first, conditions.lowest_column(first));
-  if (turned.splitting != parity || !points_of_splitting(conditions, turned)) {
-    throw Undecided("the degree of a family of conics");
+  if (parity == 1) {
+    if (const auto points = conditions.unbalanced_points(first, 1)) return {first, *points};
   }
-  return turned;
+  const TurnedChoice turned = conditions.turned_away(first, conditions.lowest_column(first));
+  return proved(conditions, turned.choice, parity);
 }
 
 /// Where a curve runs on the conics, over Q: the least a of all choices at single zeros, or nothing
 /// if it is not below `splitting`. Throws Undecided.
-std::optional<TurnedChoice> choice_away_from(const LatticePoint& curve,
+std::optional<ProvedChoice> choice_away_from(const LatticePoint& curve,
                                              const LineConditions& conditions, int splitting) {
   const PointInBalls w = conditions.in_balls(curve);
   const TurnedChoice turned = conditions.turned_away(conditions.choice_through(w), w);
   if (turned.splitting >= splitting) return std::nullopt;
-  if (!points_of_splitting(conditions, turned)) {
-    throw Undecided("the degree of a family of conics");
-  }
-  return turned;
+  return proved(conditions, turned.choice, turned.splitting);
 }
 
 }  // namespace
@@ -212,8 +220,10 @@ void RationalConicFamily::choose_irrational_lines(const ConicFamily& family,
     steps_ = std::make_shared<const RationalSteps>(std::move(from));
     at_sufficient_precision([&](long precision) {
       const LineConditions conditions(*steps_, line_pairs(*steps_, precision), precision);
-      set_choice(conditions, balanced_choice(*steps_, conditions));
+      ProvedChoice found = balanced_choice(*steps_, conditions);
+      in_balls_ = {std::move(found.points), precision, places_of(conditions.pairs(), found.choice)};
     });
+    degree_ = in_balls_->points.degree;
   };
   const bool may_be_turned = steps.choices + steps.double_points > 0;
   choose(std::move(steps));
@@ -236,19 +246,13 @@ bool RationalConicFamily::choose_lines_for_lower_degree(const ConicFamily& famil
   const LatticePoint curve = in_lattice(steps->lattice, lowest_column(rational.lattice));
   return at_sufficient_precision([&](long precision) {
     const LineConditions conditions(*steps, line_pairs(*steps, precision), precision);
-    const auto decided =
-        choice_away_from(curve, conditions, highest(rational.lattice) - least_degree_);
-    if (!decided) return false;
+    auto found = choice_away_from(curve, conditions, highest(rational.lattice) - least_degree_);
+    if (!found) return false;
+    in_balls_ = {std::move(found->points), precision, places_of(conditions.pairs(), found->choice)};
     steps_ = steps;
-    set_choice(conditions, *decided);
+    degree_ = in_balls_->points.degree;
     return true;
   });
-}
-
-void RationalConicFamily::set_choice(const LineConditions& conditions,
-                                     const TurnedChoice& decided) {
-  chosen_ = places_of(conditions.pairs(), decided.choice);
-  degree_ = least_degree_ + decided.splitting;
 }
 
 void RationalConicFamily::set_rational_steps(RationalSteps steps) {
@@ -272,16 +276,16 @@ QuadraticPoints RationalConicFamily::points(long precision) const {
     }
     return result;
   }
-  QuadraticPoints result =
-      chosen_.empty() ? points_of_constant(precision) : points_of_choice(precision);
+  QuadraticPoints result = in_balls_ ? points_of_choice(precision) : points_of_constant(precision);
   elevate(result.coordinate, degree_, steps_->lattice.row_degree());
   return result;
 }
 
 QuadraticPoints RationalConicFamily::points_of_choice(long precision) const {
+  if (precision <= in_balls_->precision) return in_balls_->points;
   const LineConditions conditions(*steps_, line_pairs(*steps_, precision), precision);
-  const auto points = points_of_splitting(
-      conditions, {recognized(conditions.pairs(), chosen_), degree_ - least_degree_});
+  const auto points = points_of(conditions, recognized(conditions.pairs(), in_balls_->chosen),
+                                degree_ - least_degree_);
   if (!points) throw Undecided("the points of a family of conics");
   return *points;
 }

@@ -46,17 +46,23 @@ class RationalConicFamily {
   const std::optional<Matrix3<Form<Rational>>>& rational_points() const { return rational_points_; }
 
  private:
+  /// Points at the precision that proved the degree, and the lines on which they lie.
+  struct PointsInBalls {
+    QuadraticPoints points;
+    long precision;
+    std::vector<ChosenLine> chosen;
+  };
+
   QuadraticPoints points_of_choice(long precision) const;
   QuadraticPoints points_of_constant(long precision) const;
   void choose_irrational_lines(const ConicFamily& family, const SingularConics& singular,
                                RationalSteps steps);
   bool choose_lines_for_lower_degree(const ConicFamily& family, const SingularConics& singular,
                                      const RationalSteps& rational);
-  void set_choice(const LineConditions& conditions, const TurnedChoice& decided);
   void set_rational_steps(RationalSteps steps);
 
   std::shared_ptr<const RationalSteps> steps_;
-  std::vector<ChosenLine> chosen_;
+  std::optional<PointsInBalls> in_balls_;
   std::optional<Matrix3<Form<Rational>>> rational_points_;
   int least_degree_, degree_;
 };
