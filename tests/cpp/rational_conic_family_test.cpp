@@ -2,6 +2,7 @@
 // PN_TEST_SCALE multiplies the number of random families.
 #include "pn/conics/rational_conic_family.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "conic_families.hpp"
@@ -108,6 +109,29 @@ RationalConicFamily checked(const Conic& matrix) {
   return conics;
 }
 
+/// a = 0 for one of the choices at all single zeros, each tried; nothing where they are many.
+std::optional<bool> some_choice_is_balanced(const ConicFamily& family) {
+  constexpr int kMostChoices = 64;
+  constexpr long kBits = 512;
+  const auto first = [](const RationalLattice&, const RationalLattice&) { return 0; };
+  const RationalSteps steps =
+      rational_steps(family, singular_conics(family), first, Leave::kEveryChoice);
+  const LineConditions conditions(steps, line_pairs(steps, kBits), kBits);
+  int count = 1;
+  for (const LinePair& pair : conditions.pairs()) count *= pair.multiplicity + 1;
+  if (conditions.pairs().empty() || count > kMostChoices) return std::nullopt;
+  for (int number = 0; number < count; ++number) {
+    LineChoice choice;
+    int rest = number;
+    for (const LinePair& pair : conditions.pairs()) {
+      choice.push_back(rest % (pair.multiplicity + 1));
+      rest /= pair.multiplicity + 1;
+    }
+    if (conditions.balanced_points(choice)) return true;
+  }
+  return false;
+}
+
 RationalPolynomial poly(const std::vector<long>& c) { return conic_polynomial(c); }
 
 }  // namespace
@@ -183,13 +207,43 @@ TEST_CASE("Lines at only some of the conjugate zeros give the least degree",
 TEST_CASE("Squarefree diagonal families: degree of the ansatz, or one more with odd parity",
           "[rational_conic_family]") {
   RandomConics random(1);
-  for (int l = 1; l <= 3; ++l) {
-    for (int repeat = 0; repeat < 4; ++repeat) {
-      const auto conics =
-          checked(diagonal(random.positive(l), random.positive(l), -random.positive(l)));
-      CHECK(conics.degree() == 2 * l);
+  for (int l = 0; l <= 3; ++l) {
+    for (int m = 0; m <= 3; ++m) {
+      for (int n = 0; n <= 3; ++n) {
+        INFO("degrees " << 2 * l << ", " << 2 * m << ", " << 2 * n);
+        const auto conics =
+            checked(diagonal(random.positive(l), random.positive(m), -random.positive(n)));
+        CHECK(conics.least_degree() == std::max({l + m, m + n, n + l}));
+        // Infinity has real lines, and the parity is free, if one degree is below both others,
+        // which differ in sign.
+        const bool is_free = (l < m && l < n) || (m < l && m < n);
+        CHECK(conics.degree() - conics.least_degree() == (is_free ? 0 : (l + m) % 2));
+      }
     }
   }
+}
+
+TEST_CASE("No choice of lines gives a lower degree", "[rational_conic_family]") {
+  int irrational = 0, rational = 0, odd = 0;
+  for (int seed = 0; seed < 150; ++seed) {
+    const NamedConic conic = RandomConics(static_cast<std::uint64_t>(seed)).next();
+    INFO(conic.kind << ", seed " << seed);
+    std::optional<RationalConicFamily> conics;
+    try {
+      conics.emplace(conic_family(conic.matrix));
+    } catch (const GeometryError&) {
+      continue;
+    }
+    const ConicFamily family = conic_family(conic.matrix);
+    const std::optional<bool> balanced = some_choice_is_balanced(family);
+    if (!balanced) continue;
+    CHECK((conics->degree() == conics->least_degree()) == *balanced);
+    odd += *balanced ? 0 : 1;
+    (conics->rational_points() ? rational : irrational) += 1;
+  }
+  CHECK(irrational > 20);
+  CHECK(rational > 5);
+  CHECK(odd > 0);
 }
 
 TEST_CASE("Random families with planted zeros: points on the conics, of least degree",
