@@ -202,6 +202,29 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("Two lines less q times a square: least degree over Q where q has rational zeros",
+          "[rational_conic_family]") {
+  // The intersection of l1 and l3 is a rational point, and q has two real places with real lines.
+  RandomConics random(7);
+  for (int repeat = 0; repeat < 12; ++repeat) {
+    Vector3<RationalPolynomial> l1, l2, l3;
+    for (std::size_t i = 0; i < 3; ++i) {
+      l1[i] = random.any(1), l2[i] = random.any(1), l3[i] = random.any(1);
+    }
+    const RationalPolynomial q = poly({-1 - repeat, 1}) * poly({2, 3});
+    Conic c;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        c[i][j] = l1[i] * l2[j] + l1[j] * l2[i] - q * l3[i] * l3[j];
+      }
+    }
+    INFO("family " << repeat);
+    const RationalConicFamily conics = checked(c);
+    CHECK(conics.degree() == conics.least_degree());
+    CHECK(conics.rational_points().has_value());
+  }
+}
+
 TEST_CASE("Lines at only some of the conjugate zeros give the least degree",
           "[rational_conic_family]") {
   // Y^2 - 2 c^2 W^2 - 2 f W P with an f irreducible over Q: real zeros are turned one by one, pairs
