@@ -134,6 +134,29 @@ std::optional<bool> some_choice_is_balanced(const ConicFamily& family) {
 
 RationalPolynomial poly(const std::vector<long>& c) { return conic_polynomial(c); }
 
+/// Of Y^2 + k c^2 W^2 - 2 f W P, checked; all types are (0, 2), and P is a point, so m = h and a =
+/// h before any choice, with h the degree of f and c.
+RationalConicFamily checked_with_double_zeros(long k, const RationalPolynomial& f,
+                                              const RationalPolynomial& c) {
+  const RationalPolynomial zero, factor(k);
+  const ConicFamily family = conic_family(
+      {{{1L, zero, zero}, {zero, factor * c * c, -f}, {zero, -f, zero}}}, {0, f.degree(), 0});
+  RationalConicFamily conics(family);
+  check_identity(family, conics);
+  CHECK(conics.least_degree() == f.degree());
+  return conics;
+}
+
+/// f = (t - 1) ... (t - h), c = 7 (t + 1)^h.
+RationalConicFamily checked_with_double_zeros(long k, int h) {
+  RationalPolynomial f(1L), c(7L);
+  for (int i = 1; i <= h; ++i) {
+    f *= poly({-i, 1});
+    c *= poly({1, 1});
+  }
+  return checked_with_double_zeros(k, f, c);
+}
+
 }  // namespace
 
 TEST_CASE("The families of the paper have the degree of the theorem", "[rational_conic_family]") {
@@ -148,17 +171,8 @@ TEST_CASE("The families of the paper have the degree of the theorem", "[rational
 
 TEST_CASE("Y^2 + c^2 W^2 - 2 f W P with real zeros of f has degree 2 h and is rational",
           "[rational_conic_family]") {
-  RationalPolynomial f(1L), c(7L);
   for (int h = 1; h <= 5; ++h) {
-    INFO("h = " << h);
-    f *= poly({-h, 1});
-    c *= poly({1, 1});
-    const RationalPolynomial zero;
-    const ConicFamily family =
-        conic_family({{{1L, zero, zero}, {zero, c * c, -f}, {zero, -f, zero}}}, {0, h, 0});
-    const RationalConicFamily conics(family);
-    check_identity(family, conics);
-    CHECK(conics.least_degree() == h);
+    const RationalConicFamily conics = checked_with_double_zeros(1, h);
     CHECK(conics.degree() == 2 * h);
     CHECK(conics.rational_points().has_value());
   }
@@ -166,18 +180,8 @@ TEST_CASE("Y^2 + c^2 W^2 - 2 f W P with real zeros of f has degree 2 h and is ra
 
 TEST_CASE("Y^2 - 2 c^2 W^2 - 2 f W P has degree h by one irrational line at each double zero of f",
           "[rational_conic_family]") {
-  // Both lines at once are rational and give degree 2 h, as above.
-  RationalPolynomial f(1L), c(7L);
   for (int h = 1; h <= 5; ++h) {
-    INFO("h = " << h);
-    f *= poly({-h, 1});
-    c *= poly({1, 1});
-    const RationalPolynomial zero, two(2L);
-    const ConicFamily family =
-        conic_family({{{1L, zero, zero}, {zero, -two * c * c, -f}, {zero, -f, zero}}}, {0, h, 0});
-    const RationalConicFamily conics(family);
-    check_identity(family, conics);
-    CHECK(conics.least_degree() == h);
+    const RationalConicFamily conics = checked_with_double_zeros(-2, h);
     CHECK(conics.degree() == h);
     CHECK_FALSE(conics.rational_points().has_value());
   }
@@ -186,17 +190,8 @@ TEST_CASE("Y^2 - 2 c^2 W^2 - 2 f W P has degree h by one irrational line at each
 TEST_CASE(
     "Y^2 - c^2 W^2 - 2 f W P has degree h over Q by one rational line at each double zero of f",
     "[rational_conic_family]") {
-  RationalPolynomial f(1L), c(7L);
   for (int h = 1; h <= 5; ++h) {
-    INFO("h = " << h);
-    f *= poly({-h, 1});
-    c *= poly({1, 1});
-    const RationalPolynomial zero;
-    const ConicFamily family =
-        conic_family({{{1L, zero, zero}, {zero, -c * c, -f}, {zero, -f, zero}}}, {0, h, 0});
-    const RationalConicFamily conics(family);
-    check_identity(family, conics);
-    CHECK(conics.least_degree() == h);
+    const RationalConicFamily conics = checked_with_double_zeros(-1, h);
     CHECK(conics.degree() == h);
     CHECK(conics.rational_points().has_value());
   }
@@ -227,23 +222,14 @@ TEST_CASE("Two lines less q times a square: least degree over Q where q has rati
 
 TEST_CASE("Lines at only some of the conjugate zeros give the least degree",
           "[rational_conic_family]") {
-  // Y^2 - 2 c^2 W^2 - 2 f W P with an f irreducible over Q: real zeros are turned one by one, pairs
-  // of conjugate zeros by two units each, so that one unit is left where their number is odd.
-  const auto degree_over_least = [](const RationalPolynomial& f, const RationalPolynomial& c) {
-    const int h = f.degree();
-    const RationalPolynomial zero, two(2L);
-    const ConicFamily family =
-        conic_family({{{1L, zero, zero}, {zero, -two * c * c, -f}, {zero, -f, zero}}}, {0, h, 0});
-    const RationalConicFamily conics(family);
-    check_identity(family, conics);
-    CHECK(conics.least_degree() == h);
-    return conics.degree() - h;
+  const auto splitting = [](const RationalPolynomial& f, const RationalPolynomial& c) {
+    const RationalConicFamily conics = checked_with_double_zeros(-2, f, c);
+    return conics.degree() - conics.least_degree();
   };
-  const RationalPolynomial c = poly({1, 1, 3});
-  CHECK(degree_over_least(poly({-2, 0, 1}), c) == 0);
-  CHECK(degree_over_least(poly({2, 0, 1}), c) == 0);
-  CHECK(degree_over_least(poly({-2, 0, 0, 1}), poly({1, 1, 3, 5})) == 0);
-  CHECK(degree_over_least(poly({2, -4, 0, 0, 1}), poly({1, 1, 3, 5, 2})) == 0);
+  CHECK(splitting(poly({-2, 0, 1}), poly({1, 1, 3})) == 0);
+  CHECK(splitting(poly({2, 0, 1}), poly({1, 1, 3})) == 0);
+  CHECK(splitting(poly({-2, 0, 0, 1}), poly({1, 1, 3, 5})) == 0);
+  CHECK(splitting(poly({2, -4, 0, 0, 1}), poly({1, 1, 3, 5, 2})) == 0);
 }
 
 TEST_CASE("Squarefree diagonal families: degree of the ansatz, or one more with odd parity",

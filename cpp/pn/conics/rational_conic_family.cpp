@@ -85,46 +85,6 @@ UnbalancedLattice<Rational> unbalanced(const RationalLattice& lattice) {
   return result;
 }
 
-/// Of a constant conic Q with a point p, like an unbalanced lattice of splitting 0: the columns
-/// P p, P w with w on the tangent at p, and one that is not.
-UnbalancedLattice<Rational> with_point(const RationalLattice& lattice,
-                                       const Matrix3<Rational>& conic, const Vector3<Rational>& p) {
-  Vector3<Rational> tangent;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) tangent[i] += conic[i][j] * p[j];
-  }
-  std::size_t k = 0;
-  while (tangent[k].is_zero()) ++k;
-  std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-  if (p[j].is_zero()) std::swap(i, j);
-  Vector3<Rational> w, off;
-  w[i] = tangent[k];
-  w[k] = -tangent[i];
-  off[k] = Rational(1);
-  const Vector3<Vector3<Rational>> columns = {p, w, off};
-  const auto value = [&](std::size_t a, std::size_t b) {
-    Rational sum;
-    for (std::size_t x = 0; x < 3; ++x) {
-      for (std::size_t y = 0; y < 3; ++y) sum += columns[a][x] * conic[x][y] * columns[b][y];
-    }
-    return sum;
-  };
-  UnbalancedLattice<Rational> result;
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t a = 0; a < 3; ++a) {
-      for (std::size_t b = 0; b < 3; ++b) {
-        const int degree = lattice.degree()[b] - lattice.row_degree()[row];
-        result.basis[row][a] += form(lattice.basis()[row][b], degree) * columns[a][b];
-      }
-    }
-  }
-  result.alpha = value(0, 2);
-  result.beta = value(1, 1);
-  result.q12 = Form<Rational>::constant(value(1, 2));
-  result.q22 = Form<Rational>::constant(value(2, 2));
-  return result;
-}
-
 Matrix3<Rational> constant_conic(const RationalLattice& lattice) {
   Matrix3<Rational> conic;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -133,14 +93,32 @@ Matrix3<Rational> constant_conic(const RationalLattice& lattice) {
   return conic;
 }
 
-/// Of the whole lattice over Q.
+/// Points of the lattice from those of a constant conic; `number` makes a T of a rational number.
+template <class T, class Number>
+Matrix3<Form<T>> times_columns(const RationalLattice& lattice, const Matrix3<T>& columns,
+                               const Number& number) {
+  Matrix3<Form<T>> points;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      std::vector<T> column;
+      const int degree = lattice.degree()[j] - lattice.row_degree()[i];
+      const Form<Rational> exact = form(lattice.basis()[i][j], degree);
+      for (const Rational& c : exact.coefficients()) column.push_back(number(c));
+      for (std::size_t k = 0; k < 3; ++k) points[i][k] += Form<T>(column) * columns[j][k];
+    }
+  }
+  return points;
+}
+
+/// Of a lattice that is rational to the end, if they are over Q.
 std::optional<Matrix3<Form<Rational>>> points_over_rationals(const RationalLattice& lattice,
                                                              int m) {
   if (highest(lattice) > m) return points_of_unbalanced_lattice(unbalanced(lattice));
   const Matrix3<Rational> conic = constant_conic(lattice);
   const PointOnConic found = rational_point_on_conic(conic);
   if (found.points != RationalPoints::kExist) return std::nullopt;
-  return points_of_unbalanced_lattice(with_point(lattice, conic, found.point));
+  return times_columns(lattice, points_of_constant_conic(conic, found.point),
+                       [](const Rational& x) { return x; });
 }
 
 /// Written with the degree n in t.
@@ -299,20 +277,9 @@ QuadraticPoints RationalConicFamily::points_of_constant(long precision) const {
   }
   const auto columns = points_of_constant_conic(conic);
   if (!columns) throw Undecided("the signs of a constant conic");
-  QuadraticPoints result{{}, degree_};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Form<Rational> w =
-          form(lattice.basis()[i][j], lattice.degree()[j] - lattice.row_degree()[i]);
-      std::vector<RealBall> balls;
-      for (const Rational& c : w.coefficients()) balls.emplace_back(c, precision);
-      const Form<RealBall> column(std::move(balls));
-      for (std::size_t k = 0; k < 3; ++k) {
-        result.coordinate[i][k] += column * (*columns)[j][k];
-      }
-    }
-  }
-  return result;
+  return {
+      times_columns(lattice, *columns, [&](const Rational& x) { return RealBall(x, precision); }),
+      degree_};
 }
 
 }  // namespace pn
