@@ -19,6 +19,7 @@
 #include "pn/shapes/canal_surface.hpp"
 #include "pn/shapes/quadric.hpp"
 #include "pn/shapes/ruled_surface.hpp"
+#include "rational_conics.hpp"
 #include "rational_envelope.hpp"
 #include "sphere_families.hpp"
 #include "surfaces_from_functions.hpp"
@@ -484,4 +485,5 @@ PYBIND11_MODULE(pnkernel, module) {
   define_rational_envelope(module);
   define_moving_conic_section(module);
   define_conic_surfaces(module);
+  define_rational_conics(module);
 }

@@ -168,6 +168,28 @@ void RationalLattice::make_primitive() {
   }
 }
 
+/// By Cramer's rule, up to a factor.
+LatticePoint in_lattice(const RationalLattice& lattice, const Vector3<Polynomial>& point) {
+  const Matrix3<Polynomial> inverse = adjugate(lattice.basis());
+  LatticePoint result{{}, 0};
+  Polynomial common;
+  for (std::size_t j = 0; j < 3; ++j) {
+    Polynomial& y = result.coordinate[j];
+    for (std::size_t i = 0; i < 3; ++i) y += inverse[j][i] * point[i];
+    common = gcd(common, y);
+  }
+  std::optional<int> degree;
+  for (std::size_t j = 0; j < 3; ++j) {
+    Polynomial& y = result.coordinate[j];
+    if (y.is_zero()) continue;
+    y = exact_quotient(y, common);
+    const int needed = y.degree() + lattice.degree()[j];
+    degree = std::max(degree.value_or(needed), needed);
+  }
+  result.degree = *degree;
+  return result;
+}
+
 /// With v v^T = -adj M, both M + [v]_x and M - [v]_x have rank 1, and their rows are the lines.
 std::optional<std::array<Vector3<Polynomial>, 2>> rational_lines(const Matrix3<Polynomial>& conic,
                                                                  const ResidueField& field) {
@@ -191,7 +213,7 @@ namespace {
 
 /// The steps at one place.
 void step_down(RationalSteps& steps, const Place& place, SmithType type,
-               const ChooseLattice& choose, MultipleIrrational multiple) {
+               const ChooseLattice& choose, Leave leave) {
   RationalLattice& lattice = steps.lattice;
   for (; type.a >= 2; type.a -= 2, type.b -= 2) {
     lattice.step_onto_line(place, double_line(lattice.at(place)), 2);
@@ -203,6 +225,11 @@ void step_down(RationalSteps& steps, const Place& place, SmithType type,
     }
     p = 1;
   }
+  if (p == 0) return;
+  if (leave == Leave::kEveryChoice) {
+    steps.left.push_back({place, p});
+    return;
+  }
   const ResidueField field = field_of(place);
   while (p > 0) {
     if (const auto lines = rational_lines(lattice.at(place), field)) {
@@ -211,7 +238,7 @@ void step_down(RationalSteps& steps, const Place& place, SmithType type,
       lattice = std::move(next[choose(next[0], next[1]) == 0 ? 0 : 1]);
       ++steps.choices;
       p -= 1;
-    } else if (p >= 2 && multiple == MultipleIrrational::kTakeBoth) {
+    } else if (p >= 2) {
       lattice.step_onto_double_point(place);
       ++steps.double_points;
       p -= 2;
@@ -225,14 +252,14 @@ void step_down(RationalSteps& steps, const Place& place, SmithType type,
 }  // namespace
 
 RationalSteps rational_steps(const ConicFamily& family, const SingularConics& singular,
-                             const ChooseLattice& choose, MultipleIrrational multiple) {
+                             const ChooseLattice& choose, Leave leave) {
   RationalSteps steps{RationalLattice(family), {}, 0, 0};
   for (const SingularFactor& part : singular.finite) {
     for (const Polynomial& factor : irreducible_factors(part.factor)) {
-      step_down(steps, factor, part.type, choose, multiple);
+      step_down(steps, factor, part.type, choose, leave);
     }
   }
-  step_down(steps, std::nullopt, singular.at_infinity, choose, multiple);
+  step_down(steps, std::nullopt, singular.at_infinity, choose, leave);
   return steps;
 }
 
