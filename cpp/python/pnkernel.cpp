@@ -20,6 +20,7 @@
 #include "pn/shapes/quadric.hpp"
 #include "pn/shapes/ruled_surface.hpp"
 #include "rational_conics.hpp"
+#include "quadratic_cones.hpp"
 #include "rational_envelope.hpp"
 #include "sphere_families.hpp"
 #include "surfaces_from_functions.hpp"
@@ -486,4 +487,5 @@ PYBIND11_MODULE(pnkernel, module) {
   define_moving_conic_section(module);
   define_conic_surfaces(module);
   define_rational_conics(module);
+  define_quadratic_cones(module);
 }

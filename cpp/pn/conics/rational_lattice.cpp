@@ -2,6 +2,7 @@
 #include "pn/conics/rational_lattice.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "pn/algebra/power_of_two.hpp"
@@ -137,8 +138,10 @@ void RationalLattice::divide(const Polynomial& factor, int times) {
 }
 
 LeadingTerm RationalLattice::leading_term(std::size_t column) const {
+  // Rows may have negative degrees, so no degree tells a zero apart.
   const auto height = [&](std::size_t i) {
-    return basis_[i][column].is_zero() ? -1 : basis_[i][column].degree() + row_degree_[i];
+    return basis_[i][column].is_zero() ? std::numeric_limits<int>::min()
+                                       : basis_[i][column].degree() + row_degree_[i];
   };
   std::size_t row = 0;
   for (std::size_t i = 1; i < 3; ++i) {
