@@ -16,7 +16,12 @@ class ChoiceNames(DocumentTest):
     def test_all_choices_have_names(self):
         offered = set()
         for proxy in (
-            CanalSurface, RuledOffset, QuadricOffset, MidSurfaceSkins, TriangulatedSkins, MirrorWavefront
+            CanalSurface,
+            RuledOffset,
+            QuadricOffset,
+            MidSurfaceSkins,
+            TriangulatedSkins,
+            MirrorWavefront,
         ):
             obj = self.document.addObject("Part::FeaturePython", proxy.__name__)
             proxy(obj)
