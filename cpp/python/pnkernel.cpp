@@ -476,6 +476,7 @@ void define_surface(py::module_& module) {
 
 PYBIND11_MODULE(pnkernel, module) {
   module.doc() = "Exact offset surfaces with rational unit normals. Millimetres, NumPy arrays.";
+  module.attr("__version__") = PN_VERSION;
   define_error(module);
   define_cancellation(module);
   define_inputs(module);

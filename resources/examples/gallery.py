@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The list of the examples: what the command Examples offers, the demo shows and the tests check.
 
-Another example is a script <name>.py with a function make_<name>() beside this file, an entry here, and
-its picture docs/images/<name>.png, which scripts/demo makes.
+Another example is a script <name>.py with a function make_<name>() beside this file, an entry here,
+and its picture docs/images/<name>.png, which scripts/demo makes.
 """
 
 from typing import NamedTuple
