@@ -258,5 +258,5 @@ TEST_CASE("Numbers of many spans, too long for doubles, give surfaces as those o
   const auto spans =
       moving_conic_section(Curve::bspline(data), {{0, 0, 1}, {}}, constant_axes(3, 1.5));
   REQUIRE(spans.size() == 4);
-  for (const ConicSpan& span : spans) CHECK(ConicPoints(span.conic).degree() == 9);
+  for (const ConicSpan& span : spans) CHECK(ConicPoints(span).degree() == 9);
 }
