@@ -65,6 +65,20 @@ TEST_CASE("Lines of lowest degree keep the degree, even ones add two", "[conic_l
   CHECK(degree(Lines::kEven) == conic->degree() + 2);
 }
 
+TEST_CASE("Lines keep the working precision", "[conic_lines]") {
+  // Ellipses that become thin one way and then the other, with lines that change their size.
+  const auto conic = points(upright(ellipse(poly({1, 1023}), poly({1024, -1023}))));
+  for (const SectionSegment& segment : lined_segments({{conic}, false}, Lines::kEven, 512)) {
+    for (const FormInU<RealBall>* form : components(segment)) {
+      for (const Form<RealBall>& coefficient : form->coefficient) {
+        for (const RealBall& c : coefficient.coefficients()) {
+          CHECK((c - c).magnitude_upper() < 1e-120);
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("Lines that are even already cost no degree", "[conic_lines]") {
   const auto conic = points(upright(ellipse(4L, 1L)));
   const auto segments = lined_segments({{conic}, false}, Lines::kEven, 128);
