@@ -171,6 +171,18 @@ def net_types(entries):
     return Table("Both skins of six spheres, by type of net", ["", "ms", "degree", "poles"], rows)
 
 
+def points_of_conics(entries):
+    """The degree reached, its bound by the theorem, and that of a projection from one point."""
+    rows = []
+    for name, entry in below(entries, "points_of_conics").items():
+        given = arguments(name)
+        case = ", ".join(str(2 * given[key]) for key in "lmn")
+        degrees = (f"{entry[key]:.0f}" for key in ("degree", "bound", "projected"))
+        rows.append([case, f"{milliseconds(entry):.2f}", *degrees])
+    title = "Points of the conics L x^2 + M y^2 = N z^2"
+    return Table(title, ["degrees of L, M, N", "ms", "degree", "bound", "by projection"], rows)
+
+
 def side_by_side_row(entry, exact):
     """One way to a shape; what only a shape has is missing for bare poles."""
     if failed(entry):
@@ -222,6 +234,7 @@ def tables(entries):
             entries, "many_ruled_spans", "Offset of a ruled surface between cubic C2 B-splines"
         ),
         offset_steps(entries),
+        points_of_conics(entries),
         net_types(entries),
         side_by_side(below(entries, "case_c1"), "Case C1: constant radius along a cubic"),
         side_by_side(below(entries, "case_c2"), "Case C2: cubic radius along a cubic"),

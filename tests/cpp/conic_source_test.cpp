@@ -237,3 +237,18 @@ TEST_CASE("Conics that are no ellipses and ellipses without points are refused",
   CHECK(code(ellipse(poly({1, -2}), poly({1, -2}))) == ErrorCode::kNoRealPoints);
   CHECK(code(diagonal(0L, 1L, 1L)) == ErrorCode::kSingularConics);
 }
+
+TEST_CASE("Spans that meet but for rounding are joined, and the gap is counted", "[conic_source]") {
+  const auto lifted = [](const Rational& height, const Rational& radius) {
+    ConicSpan span{upright(ellipse(RationalPolynomial(radius * radius), 4L)), {}};
+    span.conic.frame[2][0] += RationalPolynomial(height);
+    return span;
+  };
+  const ConicSpan first = lifted(0L, 3L);
+  const double rounding = 0x1p-48;
+  const PNSurface joined = surface_of({first, lifted(10L, 3L + Rational::exactly(rounding))});
+  CHECK(joined.certificate(Lines::kEven).deviation > rounding / 2);
+  CHECK(joined.certificate(Lines::kEven).deviation < 1e-13);
+  const auto apart = [&] { surface_of({first, lifted(10L, 3L + Rational::exactly(1e-9))}); };
+  CHECK(code_of(apart) == ErrorCode::kGap);
+}

@@ -51,6 +51,7 @@ INPUTS_OF_HOLLOW = {SOLID_PIPE: (), WALL: ("WallThickness",), BORE: ("InnerRadiu
 class HollowError(ValueError):
     """The pipe has no such wall. The text is a sentence for the user."""
 
+
 # How the ends of a solid are closed. Without caps only a wall is a solid, closed by its normals,
 # and a pipe without ends.
 CAPS = {
@@ -273,10 +274,11 @@ def _radius_values(radius):
 
 def _table_values(rows):
     positions, radii = zip(*rows) if rows else ((), ())
-    return {"Positions": [_number(position) for position in positions], "Radii": _lengths(radii)}
+    return {"Positions": [_number(position) for position in positions], "Radii": lengths(radii)}
 
 
-def _lengths(values):
+def lengths(values):
+    """The numbers of a list of lengths, in millimetres."""
     return [_number(value) for value in values]
 
 
@@ -287,8 +289,8 @@ def _number(value):
 
 # What the second half of a pair (law, values) means.
 _VALUES_OF_LAW = {
-    VALUES_AT_VERTICES: lambda radii: {"Radii": _lengths(radii)},
-    BEZIER_COEFFICIENTS: lambda coefficients: {"Radii": _lengths(coefficients)},
+    VALUES_AT_VERTICES: lambda radii: {"Radii": lengths(radii)},
+    BEZIER_COEFFICIENTS: lambda coefficients: {"Radii": lengths(coefficients)},
     TABLE: _table_values,
     EXPRESSION: lambda text: {"RadiusExpression": text},
     PROFILE: lambda profile: {"Profile": as_link(profile)},

@@ -2,6 +2,7 @@
 #include "pn/bezier/conic_source.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -18,6 +19,10 @@ namespace pn {
 namespace {
 
 using Polynomial = RationalPolynomial;
+
+/// Conics that differ by less than this part of their size meet but for the rounding of the numbers
+/// that they were made of. What is closed so is counted in the deviation.
+constexpr double kRounding = 1e-12;
 
 std::string place(const ConicPoints& conics, double s) {
   char text[32];
@@ -118,23 +123,46 @@ ConicSpan with_regular_frame(const ConicSpan& span) {
                           text + "; with a cut they may not be.");
 }
 
-bool have_one_conic(const ConicSpan& span, const ConicSpan& next) {
-  const auto at = [](const ConicSpan& one, long t) {
-    RationalMatrix values;
-    for (const Vector4OfPolynomials& row : tangent_planes(one.conic)) {
-      values.emplace_back();
-      for (const Polynomial& entry : row) values.back().push_back(entry(Rational(t)));
+RationalMatrix tangent_planes_at(const ConicSpan& span, long t) {
+  RationalMatrix values;
+  for (const Vector4OfPolynomials& row : tangent_planes(span.conic)) {
+    values.emplace_back();
+    for (const Polynomial& entry : row) values.back().push_back(entry(Rational(t)));
+  }
+  return values;
+}
+
+/// Centre and half-axes as near as the rounding of a designer's numbers leaves them. With D44 = 1
+/// the entries D_i4 are the centre, and D_ij squares of lengths.
+bool are_as_near_as_rounding(const RationalMatrix& end, const RationalMatrix& begin) {
+  if (end[3][3].is_zero() || begin[3][3].is_zero()) return false;
+  const auto power_of_length = [](std::size_t i, std::size_t j) { return (i < 3) + (j < 3); };
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 4; ++j) {
+      const double entry = (end[i][j] / end[3][3]).to_double();
+      size = std::max(size, std::pow(std::abs(entry), 1.0 / power_of_length(i, j)));
     }
-    return values;
-  };
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 4; ++j) {
+      const double difference = (end[i][j] / end[3][3] - begin[i][j] / begin[3][3]).to_double();
+      if (std::abs(difference) > kRounding * std::pow(size, power_of_length(i, j))) return false;
+    }
+  }
+  return true;
+}
+
+bool have_one_conic(const ConicSpan& span, const ConicSpan& next) {
   const auto in_one_row = [](const RationalMatrix& matrix) {
     std::vector<Rational> row;
     for (const auto& part : matrix) row.insert(row.end(), part.begin(), part.end());
     return row;
   };
-  const RationalMatrix end = at(span, 1), begin = at(next, 0);
-  return row_echelon_form({in_one_row(end), in_one_row(begin)}).size() == 1 &&
-         row_echelon_form(end).size() == 3;
+  const RationalMatrix end = tangent_planes_at(span, 1), begin = tangent_planes_at(next, 0);
+  if (row_echelon_form(end).size() != 3) return false;
+  return row_echelon_form({in_one_row(end), in_one_row(begin)}).size() == 1 ||
+         are_as_near_as_rounding(end, begin);
 }
 
 /// The pole of the cut at an end of a span, with the sign of its positive side.
