@@ -8,10 +8,7 @@ import sys
 from pathlib import Path
 
 import matplotlib
-
-matplotlib.use("svg")
-
-import matplotlib.pyplot as plt
+from matplotlib.figure import Figure
 from tables import (
     arguments, below, cases, failed, machine, medians, milliseconds, results_in, tables,
 )
@@ -40,13 +37,13 @@ def as_markdown(table):
 
 
 def plotted(file, title, x_label, y_label, draw):
-    figure, axes = plt.subplots(figsize=SIZE)
+    figure = Figure(figsize=SIZE)
+    axes = figure.subplots()
     draw(axes)
     axes.set(title=title, xlabel=x_label, ylabel=y_label, xscale="log", yscale="log")
     axes.grid(visible=True, which="both", alpha=0.2)
     axes.legend(fontsize="small")
     figure.savefig(file, metadata={"Date": None}, bbox_inches="tight")
-    plt.close(figure)
 
 
 def growth(entries, key):

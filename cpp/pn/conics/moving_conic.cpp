@@ -133,16 +133,7 @@ MovingConic conic_of_tangent_planes(const Matrix4OfPolynomials& d) {
     rows[i] = result.frame[row];
     for (std::size_t j = 0; j < 3; ++j) dual[i][j] = d[row][j + (j >= left_out)];
   }
-  const Matrix3<Polynomial> points = adjugate(dual);
-  for (std::size_t a = 0; a < 3; ++a) {
-    for (std::size_t b = 0; b < 3; ++b) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-          result.conic[a][b] += rows[i][a] * points[i][j] * rows[j][b];
-        }
-      }
-    }
-  }
+  result.conic = congruent(adjugate(dual), rows);
   return result;
 }
 

@@ -15,12 +15,29 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 
 #include "pn/conics/conic_family.hpp"
 
 namespace pn {
+
+/// m^T C m: the quadric C in the coordinates of the columns of m.
+template <std::size_t Rows, std::size_t Columns>
+std::array<std::array<RationalPolynomial, Columns>, Columns> congruent(
+    const std::array<std::array<RationalPolynomial, Rows>, Rows>& c,
+    const std::array<std::array<RationalPolynomial, Columns>, Rows>& m) {
+  std::array<std::array<RationalPolynomial, Columns>, Columns> result;
+  for (std::size_t a = 0; a < Columns; ++a) {
+    for (std::size_t b = 0; b < Columns; ++b) {
+      for (std::size_t i = 0; i < Rows; ++i) {
+        for (std::size_t j = 0; j < Rows; ++j) result[a][b] += m[i][a] * c[i][j] * m[j][b];
+      }
+    }
+  }
+  return result;
+}
 
 struct MovingConic {
   /// Rows: x, y, z [mm] times the weight, and the weight; columns: three points that span the

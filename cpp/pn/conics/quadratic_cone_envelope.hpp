@@ -38,6 +38,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "pn/algebra/tensor_polynomial.hpp"
 #include "pn/conics/quadratic_cones.hpp"
@@ -61,7 +62,7 @@ ContactElements<T> dual(ContactElements<T> elements) {
   return {std::move(elements.plane), std::move(elements.point)};
 }
 
-/// All points of contact lie on one curve, and dually, all tangent planes touch a developable.
+/// All points of contact lie on one curve, and dually, the conic surface is developable.
 /// Decided over Q.
 bool envelops_curve(const QuadraticCones& cones);
 

@@ -23,22 +23,6 @@
 
 namespace pn {
 
-/// m^T C m: the quadric C in the coordinates of the columns of m.
-template <std::size_t Rows, std::size_t Columns>
-std::array<std::array<RationalPolynomial, Columns>, Columns> congruent(
-    const std::array<std::array<RationalPolynomial, Rows>, Rows>& c,
-    const std::array<std::array<RationalPolynomial, Columns>, Rows>& m) {
-  std::array<std::array<RationalPolynomial, Columns>, Columns> result;
-  for (std::size_t a = 0; a < Columns; ++a) {
-    for (std::size_t b = 0; b < Columns; ++b) {
-      for (std::size_t i = 0; i < Rows; ++i) {
-        for (std::size_t j = 0; j < Rows; ++j) result[a][b] += m[i][a] * c[i][j] * m[j][b];
-      }
-    }
-  }
-  return result;
-}
-
 struct QuadraticCones {
   Matrix4OfPolynomials matrix;                                 ///< C
   Vector4OfPolynomials vertex;                                 ///< v
