@@ -35,7 +35,7 @@ std::array<const FormInU<RealBall>*, 4> components(const SectionSegment& segment
 
 TEST_CASE("Lines run on from segment to segment with the same weights", "[conic_lines]") {
   for (const Lines lines : {Lines::kEven, Lines::kLowestDegree}) {
-    const auto segments = lined_segments(two_spans(), lines, 192);
+    const auto segments = lined_segments(two_spans(), lines, 512);
     for (std::size_t i = 1; i < segments.size(); ++i) {
       CHECK(segments[i].begin == segments[i - 1].end);
       const auto left = components(segments[i - 1]), right = components(segments[i]);
@@ -44,7 +44,7 @@ TEST_CASE("Lines run on from segment to segment with the same weights", "[conic_
           const RealBall a = left[c]->coefficient[k](RealBall(1)),
                          b = right[c]->coefficient[k](RealBall(0));
           CHECK(a.overlaps(b));
-          CHECK((a - b).magnitude_upper() < 1e-40);
+          CHECK((a - b).magnitude_upper() < 1e-120);
         }
       }
     }
@@ -63,6 +63,20 @@ TEST_CASE("Lines of lowest degree keep the degree, even ones add two", "[conic_l
   };
   CHECK(degree(Lines::kLowestDegree) == conic->degree());
   CHECK(degree(Lines::kEven) == conic->degree() + 2);
+}
+
+TEST_CASE("Lines keep the working precision", "[conic_lines]") {
+  // Ellipses that become thin one way and then the other, with lines that change their size.
+  const auto conic = points(upright(ellipse(poly({1, 1023}), poly({1024, -1023}))));
+  for (const SectionSegment& segment : lined_segments({{conic}, false}, Lines::kEven, 512)) {
+    for (const FormInU<RealBall>* form : components(segment)) {
+      for (const Form<RealBall>& coefficient : form->coefficient) {
+        for (const RealBall& c : coefficient.coefficients()) {
+          CHECK((c - c).magnitude_upper() < 1e-120);
+        }
+      }
+    }
+  }
 }
 
 TEST_CASE("Lines that are even already cost no degree", "[conic_lines]") {

@@ -53,10 +53,12 @@ FormInU<T> lined(const FormInU<T>& x, const LineFactor<T>& factor) {
       f[i][j] = Form<T>(std::move(coefficients));
     }
   }
+  // One factor after the other: sums of products of F alone would be rounded at their own, least
+  // precision.
   const auto polar = [&](std::size_t p, std::size_t q) {
-    Form<T> sum = x.coefficient[0] * (f[0][p] * f[0][q]);
-    sum += x.coefficient[1] * (f[0][p] * f[1][q] + f[1][p] * f[0][q]);
-    return sum + x.coefficient[2] * (f[1][p] * f[1][q]);
+    const Form<T> first = x.coefficient[0] * f[0][q] + x.coefficient[1] * f[1][q],
+                  second = x.coefficient[1] * f[0][q] + x.coefficient[2] * f[1][q];
+    return first * f[0][p] + second * f[1][p];
   };
   return {{polar(0, 0), polar(0, 1), polar(1, 1)}};
 }
@@ -71,9 +73,14 @@ LineFactor<T> joined(const Matrix<T>& left, const Matrix<T>& right) {
 template <class T>
 class FactorSequence {
  public:
+  /// `one` carries the precision of what is chosen.
   FactorSequence(const std::vector<Segment>& segments, bool closed, const TargetLines& target,
-                 const std::vector<ConicForms<T>>& spans)
-      : segments_(segments), closed_(closed), target_(target), spans_(spans) {}
+                 const std::vector<ConicForms<T>>& spans, T one)
+      : segments_(segments),
+        closed_(closed),
+        target_(target),
+        spans_(spans),
+        one_(std::move(one)) {}
 
   std::vector<LineFactor<T>> factors() {
     for (std::size_t i = 0; i < segments_.size(); ++i) factors_.push_back(factor(i));
@@ -103,7 +110,7 @@ class FactorSequence {
   }
 
   Matrix<T> chosen(const Segment& segment, double t) const {
-    return short_doubles<T>(target_.at(segment.span, t));
+    return scaled(short_doubles<T>(target_.at(segment.span, t)), one_);
   }
 
   /// An end of a span.
@@ -125,6 +132,7 @@ class FactorSequence {
   bool closed_;
   const TargetLines& target_;
   const std::vector<ConicForms<T>>& spans_;
+  T one_;
   std::vector<LineFactor<T>> factors_;
 };
 
@@ -219,7 +227,11 @@ constexpr int kBandSamples = 129;
 class Planner {
  public:
   Planner(const ConicChain& chain, Lines lines, long precision)
-      : chain_(chain), lines_(lines), spans_(chain.spans.size()), estimates_(spans_.size()) {
+      : chain_(chain),
+        lines_(lines),
+        precision_(precision),
+        spans_(chain.spans.size()),
+        estimates_(spans_.size()) {
     for_each_index(spans_.size(), [&](std::size_t i) {
       spans_[i] = (*chain.spans[i])(precision);
       estimates_[i] = pn::midpoint(spans_[i]);
@@ -233,7 +245,7 @@ class Planner {
     } else {
       plan_ellipses();
     }
-    return lined_with(factors_for<RealBall>(spans_));
+    return lined_with(factors_for(spans_, RealBall(1).at_precision(precision_)));
   }
 
  private:
@@ -311,15 +323,16 @@ class Planner {
   }
 
   template <class T>
-  std::vector<LineFactor<T>> factors_for(const std::vector<ConicForms<T>>& spans) const {
-    return FactorSequence<T>(segments_, chain_.closed, *target_, spans).factors();
+  std::vector<LineFactor<T>> factors_for(const std::vector<ConicForms<T>>& spans,
+                                         const T& one) const {
+    return FactorSequence<T>(segments_, chain_.closed, *target_, spans, one).factors();
   }
 
   /// Whether the lines of a segment are good.
   using IsGood = bool (Planner::*)(const Segment&, const LineFactor<double>&) const;
 
   void find_bad_segments(IsGood is_good) {
-    const auto factors = factors_for<double>(estimates_);
+    const auto factors = factors_for(estimates_, 1.0);
     bad_.assign(segments_.size(), 0);
     for_each_index(segments_.size(),
                    [&](std::size_t i) { bad_[i] = !(this->*is_good)(segments_[i], factors[i]); });
@@ -381,6 +394,7 @@ class Planner {
 
   const ConicChain& chain_;
   Lines lines_;
+  long precision_;
   std::vector<ConicForms<RealBall>> spans_;
   std::vector<ConicForms<double>> estimates_;
   std::unique_ptr<const TargetLines> target_;

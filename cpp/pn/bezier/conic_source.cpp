@@ -13,6 +13,7 @@
 #include "pn/algebra/rational_matrix.hpp"
 #include "pn/bezier/band_trims.hpp"
 #include "pn/bezier/segment_faces.hpp"
+#include "pn/conics/quadratic_cones.hpp"
 #include "pn/geometry_error.hpp"
 
 namespace pn {
@@ -72,36 +73,12 @@ void check_arcs(const ConicPoints& conics) {
   if (!bad.empty()) refuse(bad.front().value.midpoint());
 }
 
-/// The matrix D of the planes that touch the conics, e^T D e = 0, without common factors.
-std::array<Vector4OfPolynomials, 4> tangent_planes(const MovingConic& conic) {
-  const Matrix3<Polynomial> dual = adjugate(conic.conic);
-  std::array<Vector4OfPolynomials, 4> result;
-  Polynomial common;
-  for (std::size_t a = 0; a < 4; ++a) {
-    for (std::size_t b = 0; b < 4; ++b) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-          result[a][b] += conic.frame[a][i] * dual[i][j] * conic.frame[b][j];
-        }
-      }
-      common = gcd(common, result[a][b]);
-    }
-  }
-  for (Vector4OfPolynomials& row : result) {
-    for (Polynomial& entry : row) entry = exact_quotient(entry, common);
-  }
-  return result;
-}
-
 /// The planes (e1, e2, e3, e4) of the conics.
 Vector4OfPolynomials planes(const MovingConic& conic) {
-  Vector4OfPolynomials result;
-  for (std::size_t i = 0; i < 4; ++i) {
-    Matrix3<Polynomial> others;
-    for (std::size_t k = 0; k < 3; ++k) others[k] = conic.frame[k + (k >= i)];
-    result[i] = i % 2 == 0 ? determinant(others) : -determinant(others);
-  }
-  return result;
+  const auto point = [&](std::size_t i) -> Vector4OfPolynomials {
+    return {conic.frame[0][i], conic.frame[1][i], conic.frame[2][i], conic.frame[3][i]};
+  };
+  return join(point(0), point(1), point(2));
 }
 
 /// With a frame that spans a plane at every t in [0, 1], where a conic with another one can have
@@ -115,7 +92,7 @@ ConicSpan with_regular_frame(const ConicSpan& span) {
   }
   const std::vector<RealRoot> roots = roots_in_unit_interval(common);
   if (roots.empty()) return span;
-  if (!span.cut) return {conic_of_tangent_planes(tangent_planes(span.conic)), {}};
+  if (!span.cut) return {conic_of_tangent_planes(tangent_planes_of(span.conic).matrix), {}};
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", roots.front().value.midpoint());
   throw GeometryError(ErrorCode::kSingularConics,
@@ -125,7 +102,8 @@ ConicSpan with_regular_frame(const ConicSpan& span) {
 
 RationalMatrix tangent_planes_at(const ConicSpan& span, long t) {
   RationalMatrix values;
-  for (const Vector4OfPolynomials& row : tangent_planes(span.conic)) {
+  const Matrix4OfPolynomials matrix = tangent_planes_of(span.conic).matrix;
+  for (const Vector4OfPolynomials& row : matrix) {
     values.emplace_back();
     for (const Polynomial& entry : row) values.back().push_back(entry(Rational(t)));
   }
