@@ -11,8 +11,8 @@ import matplotlib
 
 matplotlib.use("svg")
 
-import matplotlib.pyplot as plt
-from tables import (
+import matplotlib.pyplot as plt  # noqa: E402
+from tables import (  # noqa: E402
     arguments, below, cases, failed, machine, medians, milliseconds, results_in, tables,
 )
 

@@ -18,6 +18,8 @@ TESTED_ELSEWHERE = {
     "section_source": "an interface; each source has a test",
     "conic_normal_form": "a step of rational_conic_family, whose test takes all its cases",
     "rational_lattice": "a step of rational_conic_family, whose test takes all its cases",
+    "section_segment": "what chain_net and conic_source have in common, tested with both",
+    "segment_faces": "what chain_net and conic_source have in common, tested with both",
     "rational_patch": "plain data of rational_envelope and its test",
 }
 

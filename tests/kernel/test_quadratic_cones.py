@@ -109,8 +109,8 @@ def test_bad_cones_are_refused():
 
 
 def test_cones_of_revolution_agree_with_the_envelope_of_their_spheres():
-    # Spheres a, r and b, s, linear in t: the cones have the vertices (r b - s a) / (r - s) and, with the
-    # axis c = b - a, the directions (c.c - (s - r)²) d.d = (c.d)².
+    # Spheres a, r and b, s, linear in t: the cones have the vertices (r b - s a) / (r - s) and, with
+    # the axis c = b - a, the directions (c.c - (s - r)²) d.d = (c.d)².
     a, b = np.array([[0, 0, 0], [0, 0, 20]]), np.array([[30, 0, -2], [30, 4, 22]])
     r, s = np.array([4, 5]), np.array([8, 7])
     line = (1, [0, 1], [2, 2])

@@ -180,7 +180,8 @@ class Refusals(SectionTest):
     def test_up_along_the_spine(self):
         self.obj.Up = Vector(0, 0, 1)
         self.assert_fails_and_recovers(
-            "The direction upwards is that of the spine", lambda: setattr(self.obj, "Up", Vector(0, 1, 0))
+            "The direction upwards is that of the spine",
+            lambda: setattr(self.obj, "Up", Vector(0, 1, 0)),
         )
 
     def test_no_direction(self):

@@ -8,10 +8,10 @@
 //
 // and for every t where C(t) is regular u runs once through all real points of the conic. The least
 // degree is n = m + a, m of conic_family.hpp and a the least splitting of all choices of lines of
-// the singular conics (line_conditions.hpp), which is found. If a singular conic of odd multiplicity
-// has irrational lines, a = 0, or a = 1 where the parity of the family is odd and no singular conic
-// has real lines (nappe_transport.hpp). So it is where the plane is fixed, all types are (0, b) and
-// no real singular conic has conjugate lines.
+// the singular conics (line_conditions.hpp), which is found. If a singular conic of odd
+// multiplicity has irrational lines, a = 0, or a = 1 where the parity of the family is odd and no
+// singular conic has real lines (nappe_transport.hpp). So it is where the plane is fixed, all types
+// are (0, b) and no real singular conic has conjugate lines.
 //
 // Sources: M. Peternell, dissertation TU Wien 1997, 1.2 to 1.4, for diagonal C by an ansatz of
 // degree twice as high as a rule. The method here, without diagonalization: the points form a
