@@ -24,7 +24,7 @@ enum class ErrorCode {
   kCornerTooSharp,      ///< the circles on both sides of a corner cannot be joined
   kDegreeTooHigh,       ///< the result would exceed degree 25
   kWeightsNotPositive,  ///< no patch with positive weights was found
-  kBadAxis,             ///< a half-axis is not positive
+  kBadAxis,             ///< a half-axis is not positive, or an axis has no direction
   kBadBounds,           ///< bounds that are empty or inverted
   kRegionEmpty,         ///< the bounds miss the surface
   kRegionUnbounded,     ///< the surface is infinite and the bounds do not end it
