@@ -77,6 +77,24 @@ TEST_CASE("Close roots are told apart, real or not", "[roots]") {
   CHECK(contains(almost_real.pairs[0], Rational(1L), kTiny));
 }
 
+TEST_CASE("Clusters of roots are as narrow as the precision asks", "[roots]") {
+  for (const long reciprocal : {1000L, 10000L, 100000000L}) {
+    for (long count = 2; count <= 5; ++count) {
+      RationalPolynomial p(1L);
+      for (long i = 0; i < count; ++i) {
+        p *= pair_factor(Rational(1L) + fraction(i, reciprocal),
+                         Rational(2L) + fraction(i * i, 3 * reciprocal));
+      }
+      const auto roots = isolate_roots(p, 512);
+      REQUIRE(roots.pairs.size() == static_cast<std::size_t>(count));
+      for (const ConjugatePair& pair : roots.pairs) {
+        // x - x has twice the radius of x.
+        CHECK((pair.value.imag() - pair.value.imag()).magnitude_upper() < 0x1p-254);
+      }
+    }
+  }
+}
+
 TEST_CASE("Roots of very different sizes, and zero, are all found", "[roots]") {
   const Rational huge(1L << 40), small = Rational(1L) / huge;
   const auto p = power(real_factor(Rational(0L)), 2) * real_factor(huge) * real_factor(-small) *

@@ -93,7 +93,21 @@ RootSet sorted_out(AcbVector& roots, slong n, int multiplicity, long precision) 
   return set;
 }
 
-/// The roots of p if double-precision starting values lead to n disjoint inclusions.
+/// Whether all radii are below half the bits of the precision, seen from the largest root: less
+/// than the conditioning of the roots costs, more than is left where the iteration was still under
+/// way.
+bool are_narrow(AcbVector& roots, slong n, slong precision) {
+  double size = 0, radius = 0;
+  for (slong i = 0; i < n; ++i) {
+    for (const arb_struct* part : {acb_realref(roots[i]), acb_imagref(roots[i])}) {
+      size = std::max(size, std::abs(arf_get_d(arb_midref(part), ARF_RND_UP)));
+      radius = std::max(radius, mag_get_d(arb_radref(part)));
+    }
+  }
+  return radius <= std::ldexp(size, static_cast<int>(-precision / 2));
+}
+
+/// The roots of p if double-precision starting values lead to n disjoint and narrow inclusions.
 std::optional<RootSet> isolated_from_approximations(const RationalPolynomial& p, long precision) {
   const slong n = p.degree();
   const auto start = approximate_roots(p);
@@ -108,6 +122,7 @@ std::optional<RootSet> isolated_from_approximations(const RationalPolynomial& p,
       6;  // quadratic convergence from 40 bits reaches any working precision
   if (acb_poly_find_roots(roots.data(), polynomial.get(), initial.data(), kRefinements, precision) <
           n ||
+      !are_narrow(roots, n, precision) ||
       !acb_poly_validate_real_roots(roots.data(), polynomial.get(), precision)) {
     return std::nullopt;
   }
