@@ -2,7 +2,10 @@
 // Families of conics, from their matrices to all their points, and surfaces to certified poles.
 #include <benchmark/benchmark.h>
 
-#include "pn/bezier/conic_surface.hpp"
+#include <memory>
+
+#include "pn/bezier/conic_source.hpp"
+#include "pn/bezier/pn_surface.hpp"
 #include "pn/conics/rational_conic_family.hpp"
 
 namespace pn::bench {
@@ -49,8 +52,9 @@ void conic_surface(benchmark::State& state) {
       {{zero, 1L, zero}, {zero, zero, 1L}, {polynomial({0, 10}), zero, zero}, {1L, zero, zero}}};
   conic.conic = diagonal(-(aa * bb), bb, aa);
   for (auto _ : state) {
-    const ConicSurface surface(conic);
-    benchmark::DoNotOptimize(surface.faces());
+    const std::vector<ConicSpan> spans = {{conic, {}}};
+    const PNSurface surface(std::make_shared<const ConicSource>(spans));
+    benchmark::DoNotOptimize(surface.certificate(Lines::kEven));
     state.counters["degree"] = surface.degree()[0];
   }
 }

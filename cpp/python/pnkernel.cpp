@@ -9,10 +9,11 @@
 #include <map>
 
 #include "arrays.hpp"
+#include "conic_surfaces.hpp"
+#include "moving_conic_section.hpp"
 #include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/cancellation.hpp"
 #include "pn/algebra/parallel.hpp"
-#include "pn/bezier/conic_surface.hpp"
 #include "pn/bezier/pn_surface.hpp"
 #include "pn/geometry_error.hpp"
 #include "pn/shapes/canal_surface.hpp"
@@ -144,34 +145,6 @@ pn::QuadricBounds bounds_of(const std::optional<Bounds>& bounds) {
       result.box[static_cast<std::size_t>(name[0] - 'x')] = value;
     } else {
       throw py::value_error("\"" + name + "\" is no bound: x, y, z or angle");
-    }
-  }
-  return result;
-}
-
-/// Matrices of polynomials over [0, 1] by their Bernstein coefficients, (k + 1, Rows, Columns).
-template <std::size_t Rows, std::size_t Columns>
-std::array<std::array<pn::RationalPolynomial, Columns>, Rows> polynomials_of(const Array& array,
-                                                                             const char* name) {
-  if (array.ndim() != 3 || array.shape(0) == 0 || array.shape(1) != Rows ||
-      array.shape(2) != Columns) {
-    throw wrong_shape(std::string("The ") + name + " must be an array of shape (k + 1, " +
-                      std::to_string(Rows) + ", " + std::to_string(Columns) + ").");
-  }
-  const auto entries = array.unchecked<3>();
-  std::array<std::array<pn::RationalPolynomial, Columns>, Rows> result;
-  for (std::size_t i = 0; i < Rows; ++i) {
-    for (std::size_t j = 0; j < Columns; ++j) {
-      std::vector<pn::Rational> bernstein;
-      for (py::ssize_t k = 0; k < array.shape(0); ++k) {
-        const double x = entries(k, static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(j));
-        if (!std::isfinite(x)) {
-          throw pn::GeometryError(pn::ErrorCode::kNotFinite,
-                                  std::string("A number of the ") + name + " is not finite.");
-        }
-        bernstein.push_back(pn::Rational::exactly(x));
-      }
-      result[i][j] = pn::RationalPolynomial(pn::from_bernstein(std::move(bernstein)));
     }
   }
   return result;
@@ -499,54 +472,6 @@ void define_surface(py::module_& module) {
 
 }  // namespace
 
-void define_conic_surface(py::module_& module) {
-  using Surface = pn::ConicSurface;
-  py::class_<Surface>(module, "ConicSurface", "The surface that a moving ellipse covers, exactly.")
-      .def_property_readonly(
-          "degree", [](const Surface& s) { return tuple_of(s.degree()); },
-          "(degree along t, 2), of what the algebra delivers.")
-      .def("bsplines", &Surface::faces,
-           "The faces in the order of t, one unless the ellipses change very much: u along t, from "
-           "0 to 1 in all, v once around over [0, 1].")
-      .def_property_readonly("deviation", &Surface::deviation,
-                             "Proven bound on the distance of the face to the conics, in mm.")
-      .def(
-          "offset",
-          [](const Surface&, double) -> Surface {
-            throw pn::GeometryError(
-                pn::ErrorCode::kNotRational,
-                "The offsets of a conic surface are not rational in general, so there is no exact "
-                "one.");
-          },
-          py::arg("d"), "Raises GeometryError: the unit normals are not rational in general.");
-
-  module.def(
-      "conic_surface",
-      [](const Array& frame, const Array& conic) {
-        const pn::MovingConic moving{polynomials_of<4, 3>(frame, "frame"),
-                                     polynomials_of<3, 3>(conic, "conic")};
-        const py::gil_scoped_release release;
-        return Surface(moving);
-      },
-      py::arg("frame"), py::arg("conic"),
-      "The surface of the ellipses y^T C(t) y = 0, t in [0, 1], in the planes of three points. "
-      "frame: (k + 1, 4, 3), Bernstein coefficients of a matrix whose columns are the points (x w, "
-      "y w, z w, w), in mm; a direction has w = 0. conic: (h + 1, 3, 3), Bernstein coefficients of "
-      "the symmetric matrix C. Raises GeometryError.");
-
-  module.def(
-      "conic_surface_of_tangent_planes",
-      [](const Array& d) {
-        const auto planes = polynomials_of<4, 4>(d, "matrix of the tangent planes");
-        const py::gil_scoped_release release;
-        return Surface(pn::conic_of_tangent_planes(planes));
-      },
-      py::arg("d"),
-      "The surface of the ellipses that are touched by the planes e1 x + e2 y + e3 z + e4 = 0 with "
-      "e^T D(t) e = 0, t in [0, 1]. d: (k + 1, 4, 4), Bernstein coefficients of the symmetric "
-      "matrix D, of rank 3, for x, y, z in mm. Raises GeometryError.");
-}
-
 PYBIND11_MODULE(pnkernel, module) {
   module.doc() = "Exact offset surfaces with rational unit normals. Millimetres, NumPy arrays.";
   define_error(module);
@@ -557,5 +482,6 @@ PYBIND11_MODULE(pnkernel, module) {
   define_sphere_families(module);
   define_surfaces_from_functions(module);
   define_rational_envelope(module);
-  define_conic_surface(module);
+  define_moving_conic_section(module);
+  define_conic_surfaces(module);
 }

@@ -7,6 +7,7 @@ from pnsurfaces.canal_surface import CanalSurface
 from pnsurfaces.choice_names import CHOICES
 from pnsurfaces.mid_surface_skins import MidSurfaceSkins
 from pnsurfaces.mirror_wavefront import MirrorWavefront
+from pnsurfaces.moving_conic_section import MovingConicSection
 from pnsurfaces.quadric_offset import QuadricOffset
 from pnsurfaces.ruled_offset import RuledOffset
 from pnsurfaces.triangulated_skins import TriangulatedSkins
@@ -16,7 +17,8 @@ class ChoiceNames(DocumentTest):
     def test_all_choices_have_names(self):
         offered = set()
         for proxy in (
-            CanalSurface, RuledOffset, QuadricOffset, MidSurfaceSkins, TriangulatedSkins, MirrorWavefront
+            CanalSurface, RuledOffset, QuadricOffset, MidSurfaceSkins, TriangulatedSkins,
+            MirrorWavefront, MovingConicSection
         ):
             obj = self.document.addObject("Part::FeaturePython", proxy.__name__)
             proxy(obj)

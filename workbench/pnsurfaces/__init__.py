@@ -17,6 +17,7 @@ _HOMES = {
     "make_canal_surface": "canal_surface",
     "make_mid_surface_skins": "mid_surface_skins",
     "make_mirror_wavefront": "mirror_wavefront",
+    "make_moving_conic_section": "moving_conic_section",
     "make_quadric_offset": "quadric_offset",
     "make_ruled_offset": "ruled_offset",
     "make_triangulated_skins": "triangulated_skins",

@@ -273,10 +273,11 @@ def _radius_values(radius):
 
 def _table_values(rows):
     positions, radii = zip(*rows) if rows else ((), ())
-    return {"Positions": [_number(position) for position in positions], "Radii": _lengths(radii)}
+    return {"Positions": [_number(position) for position in positions], "Radii": lengths(radii)}
 
 
-def _lengths(values):
+def lengths(values):
+    """The numbers of a list of lengths, in millimetres."""
     return [_number(value) for value in values]
 
 
@@ -287,8 +288,8 @@ def _number(value):
 
 # What the second half of a pair (law, values) means.
 _VALUES_OF_LAW = {
-    VALUES_AT_VERTICES: lambda radii: {"Radii": _lengths(radii)},
-    BEZIER_COEFFICIENTS: lambda coefficients: {"Radii": _lengths(coefficients)},
+    VALUES_AT_VERTICES: lambda radii: {"Radii": lengths(radii)},
+    BEZIER_COEFFICIENTS: lambda coefficients: {"Radii": lengths(coefficients)},
     TABLE: _table_values,
     EXPRESSION: lambda text: {"RadiusExpression": text},
     PROFILE: lambda profile: {"Profile": as_link(profile)},

@@ -6,6 +6,7 @@ _TITLES = {
     "CanalSurface": "canal surface",
     "MidSurfaceSkins": "skins of a mid-surface",
     "MirrorWavefront": "wavefront of a mirror",
+    "MovingConicSection": "surface of a moving conic section",
     "RuledOffset": "offset of a ruled surface",
     "QuadricOffset": "offset of a quadric",
     "TriangulatedSkins": "skins over a triangulation",
@@ -24,17 +25,22 @@ def _of_object(entry):
     if "answer" in entry:
         return f"{title}\n\n{_escaped(entry['answer'])}"
     kind = _TITLES.get(entry["kind"], entry["kind"])
-    shown = f"{kind}, {entry['sides'].lower()}, as {entry['output'].lower()}"
+    sides = f", {entry['sides'].lower()}" if entry["sides"] else ""
+    shown = f"{kind}{sides}, as {entry['output'].lower()}"
     rows = [
         ("Status", _escaped(entry["status"])),
         ("Exact", "yes: rounding to doubles is all that deviates" if entry["exact"] else "no"),
-        ("Regular distances", _range(*entry["regular_range"])),
+        ("Regular distances", _regular_distances(entry["regular_range"])),
         *(("Fitted", _escaped(note)) for note in entry["fitted"]),
         *_rows_of_fits(entry),
         *_rows_of_shape(entry["shape"]),
     ]
     parts = [title, f"{shown[0].upper()}{shown[1:]}.", _table(("Object", ""), rows)]
     return "\n\n".join([*parts, *map(_of_section, entry["sections"])])
+
+
+def _regular_distances(limits):
+    return "none: these surfaces have no exact offsets" if limits is None else _range(*limits)
 
 
 def _rows_of_fits(entry):

@@ -36,6 +36,7 @@ CHOICES = (
     QT_TRANSLATE_NOOP("PNSurfaces", "Both skins"),
     QT_TRANSLATE_NOOP("PNSurfaces", "Outer skin"),
     QT_TRANSLATE_NOOP("PNSurfaces", "Inner skin"),
+    QT_TRANSLATE_NOOP("PNSurfaces", "Perpendicular"),
     QT_TRANSLATE_NOOP("PNSurfaces", "Parallel"),
     QT_TRANSLATE_NOOP("PNSurfaces", "From a point"),
     QT_TRANSLATE_NOOP("PNSurfaces", "Ellipsoid"),

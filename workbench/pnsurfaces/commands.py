@@ -17,6 +17,7 @@ from pnsurfaces.examples_dialog import ask_example
 from pnsurfaces.export_path import ask_export_path
 from pnsurfaces.linked_shape import only_face
 from pnsurfaces.mirror_wavefront import facing_light
+from pnsurfaces.moving_conic_section import suitable_up
 from pnsurfaces.panel import literal
 from pnsurfaces.selection import selected_face, selected_pair, selected_points, selected_spine
 
@@ -102,14 +103,7 @@ class CanalSurfaceCommand(CreationCommand):
     transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Canal surface")
 
     def creation(self, selection):
-        spine = selected_spine(selection)
-        if spine is None:
-            raise NothingSelected(
-                translate(
-                    "PNSurfaces",
-                    "Select the spine first: edges of one object, a wire or a sketch."
-                )
-            )
+        spine = _needed_spine(selection)
         return _call("make_canal_surface", literal(spine), repr(_start_radius(spine)))
 
 
@@ -197,6 +191,26 @@ class MirrorWavefrontCommand(CreationCommand):
         light = f"direction={direction!r}, origin={origin!r}"
         lines = f"ParameterLines={preferences.parameter_lines()!r}"
         return f"pnsurfaces.make_mirror_wavefront({literal(face)}, {distance!r}, {light}, {lines})"
+
+
+class MovingConicSectionCommand(CreationCommand):
+    """Makes the surface of ellipses along the selected spine and opens its task panel."""
+
+    name = "PNSurfaces_MovingConicSection"
+    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_MovingConicSection", "Moving Conic Section…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "PNSurfaces_MovingConicSection",
+        "Creates the exact surface of ellipses along a spine, whose half-axes change"
+    )
+    page = "moving_conic_section_command.md"
+    transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Moving conic section")
+
+    def creation(self, selection):
+        spine = _needed_spine(selection)
+        radius = _start_radius(spine)
+        half_axes, up = repr((2 * radius, radius)), repr(suitable_up(_edges(spine)))
+        lines = f"ParameterLines={preferences.parameter_lines()!r}"
+        return f"pnsurfaces.make_moving_conic_section({literal(spine)}, {half_axes}, up={up}, {lines})"
 
 
 class ExportStepCommand(Command):
@@ -311,6 +325,7 @@ def register():
             QuadricOffsetCommand(),
             MidSurfaceSkinsCommand(),
             MirrorWavefrontCommand(),
+            MovingConicSectionCommand(),
             CertificateCommand(),
             ExportStepCommand(),
             ExamplesCommand(),
@@ -349,10 +364,26 @@ def _frozen(document):
         document.RecomputesFrozen = was_frozen
 
 
+def _needed_spine(selection):
+    """The selected spine. Raises NothingSelected."""
+    spine = selected_spine(selection)
+    if spine is None:
+        raise NothingSelected(
+            translate(
+                "PNSurfaces", "Select the spine first: edges of one object, a wire or a sketch."
+            )
+        )
+    return spine
+
+
+def _edges(spine):
+    source, names = spine
+    return [source.getSubObject(name) for name in names] or source.Shape.Edges
+
+
 def _start_radius(spine):
     """A radius in proportion to the spine, with one significant digit, in millimetres."""
-    source, names = spine
-    edges = [source.getSubObject(name) for name in names] or source.Shape.Edges
+    edges = _edges(spine)
     length = sum(edge.Length for edge in edges)
     radius = min(length / _LENGTH_PER_RADIUS, length / len(edges) / _EDGE_PER_RADIUS)
     return float(f"{radius:.0e}")

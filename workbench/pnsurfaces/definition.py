@@ -13,6 +13,8 @@ coordinates, so that a bound of 1e-14 mm on a surface of 100 mm is met, but not 
 - The skins of a mid-surface, also over a triangulation, at distance d are the envelope of the spheres |x - m(u, v)| = r(u, v) + d:
   a point of it is on one sphere and outside all its neighbours, (x - m).m_u + (r + d) r_u = 0 and
   likewise for v.
+- A moving conic section has the points x in the plane of a section, (x - m).m' = 0 or with a fixed
+  normal for m', whose coordinates p to the side and q upwards have (p / a)^2 + (q / b)^2 = 1.
 - The wavefront of a mirror of path length d is the envelope of the spheres |x - m(u, v)| = d - s(u, v)
   around its points, where s is the path of the light to m: Huygens' principle.
 
@@ -28,6 +30,7 @@ from pnsurfaces.canal_surface import CanalSurface, read_bore, read_spheres
 from pnsurfaces.feature import SOLID
 from pnsurfaces.mid_surface_skins import MidSurfaceSkins, read_net
 from pnsurfaces.mirror_wavefront import MirrorWavefront, light_of, read_mirror
+from pnsurfaces.moving_conic_section import MovingConicSection, planes_of, read_section
 from pnsurfaces.quadric_form import standard_equation
 from pnsurfaces.quadric_offset import KINDS, OF_FACE, QuadricOffset, half_axes, read_face
 from pnsurfaces.ruled_offset import RuledOffset, read_curves
@@ -67,7 +70,7 @@ _NEAREST_NETS = 3
 
 
 def definition_of(obj):
-    """The definition of a feature: Spheres, Rulings, Quadric, SphereNet, SphereNets, BallNet or Huygens; None for
+    """The definition of a feature: Spheres, Rulings, Sections, Quadric, SphereNet, SphereNets, BallNet or Huygens; None for
     another object."""
     proxy = type(getattr(obj, "Proxy", None))
     return _DEFINITIONS[proxy](obj) if proxy in _DEFINITIONS else None
@@ -134,6 +137,37 @@ class Rulings(NamedTuple):
         rays = points - first - part * ruling
         slope = _dot(rays, first_speed + part * (last_speed - first_speed))
         return slope, np.copysign(_length(rays), distance) - distance
+
+
+class Sections(NamedTuple):
+    """Ellipses along a spine: the PiecewiseRational functions of its points (3) and half-axes (1).
+
+    `up` (3,) and `normal` (3,), or None where the planes are perpendicular to the spine.
+    """
+
+    spine: Any
+    half_axes: Any
+    up: Any
+    normal: Any
+
+    words = "ellipses along the spine: distance in the plane of the section, to first order"
+
+    def deviations(self, points, normals, distance):
+        return _along_family(self, points, distance)
+
+    def breaks(self):
+        return np.unique(np.concatenate([self.spine.breaks, *(a.breaks for a in self.half_axes)]))
+
+    def at(self, t, inside, points, distance):
+        centre, speed = self.spine.with_derivative(t, inside)
+        across = speed if self.normal is None else np.broadcast_to(self.normal, speed.shape)
+        rays = points - centre
+        side = np.cross(across, self.up)
+        a, b = (axis.with_derivative(t, inside)[0][..., 0] for axis in self.half_axes)
+        p, q = (_dot(rays, axis) / _length(axis) for axis in (side, np.cross(side, across)))
+        value = (p / a) ** 2 + (q / b) ** 2 - 1
+        slope = 2 * np.hypot(p / a**2, q / b**2)
+        return _dot(rays, across), value / slope
 
 
 class Quadric(NamedTuple):
@@ -517,6 +551,12 @@ def _spheres(spine, radius):
     return Spheres(PiecewiseRational(spine.spans), PiecewiseRational(radius.spans_over(spine)))
 
 
+def _sections(obj):
+    spine, half_axes = read_section(obj)
+    laws = [PiecewiseRational(law.spans_over(spine)) for law in half_axes]
+    return Sections(PiecewiseRational(spine.spans), laws, **{"normal": None, **planes_of(obj)})
+
+
 def _rulings(obj):
     first, last = (chain.kernel_curve() for chain in read_curves(obj))
     return Rulings(
@@ -541,6 +581,7 @@ _DEFINITIONS = {
     CanalSurface: lambda obj: _spheres(*read_spheres(obj)),
     RuledOffset: _rulings,
     QuadricOffset: _quadric,
+    MovingConicSection: _sections,
     MirrorWavefront: lambda obj: Huygens(spline_surface(read_mirror(obj).surface), light_of(obj)),
     MidSurfaceSkins: lambda obj: (BallNet if obj.Output == SOLID else SphereNet)(read_net(obj)),
     TriangulatedSkins: _nets,

@@ -103,6 +103,9 @@ OFFSET_INPUTS = (
     Property("App::PropertyDistance", "SecondDistance", "Offset",
              QT_TRANSLATE_NOOP("App::Property",
                                "Signed distance of the other one of two offsets")),
+)
+
+OUTPUT_INPUTS = (
     Property("App::PropertyEnumeration", "Output", "Offset",
              QT_TRANSLATE_NOOP("App::Property", "Open surfaces, or a solid with closed ends"),
              OUTPUTS),
@@ -110,6 +113,13 @@ OFFSET_INPUTS = (
              QT_TRANSLATE_NOOP("App::Property",
                                "Smooth faces with even parameter lines, or the lowest degree"),
              list(PARAMETER_LINES)),
+)
+
+OFFSET_RESULTS = (
+    result("App::PropertyDistance", "MinOffset",
+           QT_TRANSLATE_NOOP("App::Property", "Smallest distance without a singular point")),
+    result("App::PropertyDistance", "MaxOffset",
+           QT_TRANSLATE_NOOP("App::Property", "Largest distance without a singular point")),
 )
 
 RESULTS = (
@@ -140,10 +150,6 @@ RESULTS = (
            QT_TRANSLATE_NOOP("App::Property", "Whether only rounding to doubles deviates")),
     result("App::PropertyStringList", "Notes",
            QT_TRANSLATE_NOOP("App::Property", "What else was done to the input")),
-    result("App::PropertyDistance", "MinOffset",
-           QT_TRANSLATE_NOOP("App::Property", "Smallest distance without a singular point")),
-    result("App::PropertyDistance", "MaxOffset",
-           QT_TRANSLATE_NOOP("App::Property", "Largest distance without a singular point")),
     result("App::PropertyString", "Status",
            QT_TRANSLATE_NOOP("App::Property", "Valid, a warning or an error")),
     Property("App::PropertyInteger", "SchemaVersion", "Result",
@@ -160,6 +166,8 @@ class FeatureBase:
     """
 
     inputs = ()
+    offset_inputs = OFFSET_INPUTS
+    offset_results = OFFSET_RESULTS
     schema_version = 1
 
     def __init__(self, obj):
@@ -187,7 +195,7 @@ class FeatureBase:
 
     def inputs_of(self, obj):
         """The FeatureInputs of now. All the rest of a computation needs no document."""
-        return read_inputs(obj, [entry.name for entry in (*self.inputs, *OFFSET_INPUTS)])
+        return read_inputs(obj, [entry.name for entry in self._all_inputs()])
 
     def has_same_base(self, inputs, others):
         """Whether two FeatureInputs differ at most in what is shown of one surface."""
@@ -197,7 +205,25 @@ class FeatureBase:
         """The shape and the values of the result properties, by name, in any thread."""
         sections = self._sections(inputs, base)
         shape = self._shape(inputs, sections)
-        return shape, {**_results(*sections), **measured(shape), **base.results}
+        warnings = [*self.warnings(sections), *_notes(sections)]
+        return shape, {
+            **_results(*sections),
+            **self.limits(base.surface),
+            "Status": f"Warning: {' '.join(warnings)}" if warnings else VALID,
+            **measured(shape),
+            **base.results,
+        }
+
+    def limits(self, surface):
+        """The values of offset_results, by name."""
+        return dict(zip(("MinOffset", "MaxOffset"), surface.regular_range))
+
+    def warnings(self, sections):
+        """A sentence for each of the Sections that has singular points or crosses itself."""
+        low, high = sections.base.surface.regular_range
+        distances = [surface.distance for surface in sections.surfaces]
+        regular = [surface for surface in sections.surfaces if low < surface.distance < high]
+        return [*_irregularities(distances, low, high), *_crossings(regular)]
 
     def exact_sections(self, obj):
         """The Sections of the present inputs, whatever the shape shows."""
@@ -298,7 +324,7 @@ class FeatureBase:
     loads = __setstate__
 
     def _add_missing_properties(self, obj):
-        for entry in (*self.inputs, *OFFSET_INPUTS, *RESULTS):
+        for entry in (*self._all_inputs(), *self.offset_results, *RESULTS):
             if entry.name not in obj.PropertiesList:
                 obj.addProperty(entry.type, entry.name, entry.group, entry.doc, entry.attributes)
                 if entry.value is not None:
@@ -306,7 +332,30 @@ class FeatureBase:
             elif entry.type == "App::PropertyEnumeration":
                 _offer_all_choices(obj, entry)
         obj.SchemaVersion = self.schema_version
-        _show_second_distance(obj)
+        if self.offset_inputs:
+            _show_second_distance(obj)
+
+    def _all_inputs(self):
+        return (*self.inputs, *self.offset_inputs, *OUTPUT_INPUTS)
+
+
+class FeatureWithoutOffsets(FeatureBase):
+    """Proxy of a surface whose unit normals are not rational: it has no distance but zero."""
+
+    offset_inputs = ()
+    offset_results = ()
+
+    def sections(self, inputs, surface):
+        return [surface]
+
+    def distances(self, inputs):
+        return [0.0]
+
+    def limits(self, surface):
+        return {}
+
+    def warnings(self, sections):
+        return _crossings(sections.surfaces)
 
 
 def _offer_all_choices(obj, entry):
@@ -380,20 +429,12 @@ def _restore_view_provider(obj):
         ViewProviderPNSurface(obj.ViewObject)
 
 
-def _results(base, sections, faces, certificates):
+def _results(base, surfaces, faces, certificates):
     """The values of the result properties that all features have, by name."""
-    notes = [*base.notes, *(note for certificate in certificates for note in certificate.notes)]
     every_face = [face for section_faces in faces for face in section_faces]
     rounding = max(certificate.deviation for certificate in certificates)
     bound = _rounded_up(rounding + base.deviation)
     trim_deviation = max(certificate.trim_deviation for certificate in certificates)
-    low, high = base.surface.regular_range
-    notes = list(dict.fromkeys(notes))
-    warnings = [
-        *_irregularities([section.distance for section in sections], low, high),
-        *_crossings(sections, low, high),
-        *notes,
-    ]
     u_degree = max(face.u_degree for face in every_face)
     v_degree = max(face.v_degree for face in every_face)
     return {
@@ -403,11 +444,14 @@ def _results(base, sections, faces, certificates):
         "DeviationBound": bound,
         "TrimDeviation": deviation_text(trim_deviation),
         "Exact": base.exact and all(certificate.exact for certificate in certificates),
-        "Notes": notes,
-        "MinOffset": low,
-        "MaxOffset": high,
-        "Status": f"Warning: {' '.join(warnings)}" if warnings else VALID,
+        "Notes": _notes(Sections(base, surfaces, faces, certificates)),
     }
+
+
+def _notes(sections):
+    """What was done to the input, each sentence once."""
+    proved = (note for certificate in sections.certificates for note in certificate.notes)
+    return list(dict.fromkeys([*sections.base.notes, *proved]))
 
 
 def _irregularities(distances, low, high):
@@ -419,10 +463,9 @@ def _irregularities(distances, low, high):
             for d, limit in limits]
 
 
-def _crossings(sections, low, high):
-    """A sentence for each regular section that crosses itself, as a pipe that meets itself does."""
-    found = [(section.distance, section.self_intersection())
-             for section in sections if low < section.distance < high]
+def _crossings(surfaces):
+    """A sentence for each surface that crosses itself, as a pipe that meets itself does."""
+    found = [(surface.distance, surface.self_intersection()) for surface in surfaces]
     return [f"At {d:.6g} mm the surface crosses itself, at ({_coordinates(crossing.point)}) mm."
             for d, crossing in found if crossing]
 

@@ -1,24 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel that all exact surfaces share: offset, live result, one undo step."""
 
-import math
-
 import FreeCAD
 import FreeCADGui
 
 from pnsurfaces import resources
 from pnsurfaces.choice_names import shown_choice
 from pnsurfaces.compat import QtGui, QtWidgets, connect
-from pnsurfaces.distance_handle import DistanceHandle
-from pnsurfaces.feature import SOLID, TWO_OFFSETS, VALID
-from pnsurfaces.limits_bar import LimitsBar
+from pnsurfaces.feature import SOLID, VALID
+from pnsurfaces.offset_rows import NoOffsetRows, OffsetRows
 from pnsurfaces.preview import Preview
-from pnsurfaces.singular_marks import SingularMarks
 
 translate = FreeCAD.Qt.translate
-
-# Under the distance.
-_ROW_OF_LIMITS = 1
 
 # A sentence in the narrow panel has about so many lines, and its label grows after it has it.
 _LINES_OF_STATUS = 6
@@ -56,16 +49,17 @@ class TaskPanel:
         """`inputs` is the form with the inputs of this kind of surface."""
         self.feature = feature
         self._result = load_form("result")
-        self._offset = offset = load_form("offset")
-        self.limits = LimitsBar()
-        offset.layout().insertRow(_ROW_OF_LIMITS, self.limits)
-        self.form = [inputs, offset, self._result]
+        self._offset = load_form("offset")
+        self._offset_rows = (
+            OffsetRows(feature, self._offset, self._result, self._drag)
+            if feature.Proxy.offset_inputs
+            else NoOffsetRows(self._offset, self._result)
+        )
+        self.limits = self._offset_rows.bar
+        self.form = [inputs, self._offset, self._result]
         self._document = feature.Document
         self._was_touched = "Touched" in feature.State
         self._before = {}
-        self._distance = offset.Distance
-        self._handle = DistanceHandle(feature.ViewObject, self._drag)
-        self._marks = SingularMarks(feature.ViewObject)
         self._preview = Preview(feature, self.show_result, self._show_surface, self._settle)
         self._is_accepted = False
         connect(self._result.stop, "clicked()", self._stop)
@@ -75,8 +69,8 @@ class TaskPanel:
             form.setWindowIcon(icon)
         for form in self.form[:-1]:
             self._bind(form)
-        for combo_box in (self._offset.Sides, self._offset.Output):
-            connect(combo_box, "currentTextChanged(QString)", self._show_rows_of_offset)
+        self._offset_rows.connect(self._show_rows_of_offset)
+        connect(self._offset.Output, "currentTextChanged(QString)", self._show_rows_of_offset)
         self._show_rows_of_offset()
         self.show_result()
         if self._was_touched:
@@ -87,7 +81,7 @@ class TaskPanel:
     def assign(self, name, value):
         """Gives a property a value; the surface follows after a pause."""
         setattr(self.feature, name, value)
-        self._show_distance()
+        self._offset_rows.show_distance()
         self._preview.request()
 
     def fill(self, spin_box, name):
@@ -114,8 +108,8 @@ class TaskPanel:
         for label in self._result.values.findChildren(QtWidgets.QLabel):
             if label.objectName() in self.feature.PropertiesList:
                 label.setText(_display(getattr(self.feature, label.objectName())))
-        self._result.regular_range.setText(_range(*self._limits()))
-        self._show_distance()
+        self._offset_rows.show_range()
+        self._offset_rows.show_distance()
 
     def explain(self, sentence):
         """Says what is wrong with what the user did, where the status is shown."""
@@ -146,42 +140,26 @@ class TaskPanel:
     def close(self):
         """Ends the live preview. The view provider calls it whatever closes the panel."""
         self._preview.close()
-        self._handle.close()
-        self._marks.hide()
+        self._offset_rows.close()
         for form in self.form:
             # A number box that loses the focus reports its value once more.
             for widget in form.findChildren(QtWidgets.QWidget):
                 widget.blockSignals(True)
 
     def _show_rows_of_offset(self):
-        """Shows the second distance of two offsets, and the caps of a solid that can have them."""
-        has_second = self.feature.Sides == TWO_OFFSETS
+        """Shows the distances that are needed, and the caps of a solid that can have them."""
+        self._offset_rows.show_rows()
         has_caps = "Caps" in self.feature.PropertiesList and self.feature.Output == SOLID
-        for widget in (self._offset.second_distance_label, self._offset.SecondDistance):
-            widget.setVisible(has_second)
         for widget in (self._offset.caps_label, self._offset.Caps):
             widget.setVisible(has_caps)
 
-    def _limits(self):
-        return self.feature.MinOffset.Value, self.feature.MaxOffset.Value
-
-    def _show_distance(self):
-        distances = self.feature.Proxy.distances(self.feature)
-        self.limits.show_distances(distances, *self._limits())
-        self._handle.follow(self.feature.Distance.Value)
-        if "Distance" in dict(self.feature.ExpressionEngine):
-            self._handle.hide()
-        else:
-            self._handle.show()
-
     def _show_surface(self, made):
-        self._marks.show(made.focal_points)
-        self._handle.place(made.mesh, _up(self.feature))
-        self._show_distance()
+        self._offset_rows.place(made)
+        self._offset_rows.show_distance()
 
     def _drag(self, distance):
         self.assign("Distance", distance)
-        self.fill(self._distance, "Distance")
+        self.fill(self._offset.Distance, "Distance")
 
     def _settle(self):
         """Closes the panel if OK has waited for the surface."""
@@ -289,14 +267,6 @@ def _scroll_to(widget):
             area.ensureWidgetVisible(widget, 0, _LINES_OF_STATUS * widget.fontMetrics().height())
 
 
-def _up(feature):
-    """The direction upwards on the screen, in the coordinates of a feature."""
-    view = FreeCADGui.getDocument(feature.Document.Name).mdiViewsOfType("Gui::View3DInventor")
-    camera = view[0].getCameraOrientation() if view else FreeCAD.Rotation()
-    placement = feature.getGlobalPlacement()
-    return placement.Rotation.inverted().multVec(camera.multVec(FreeCAD.Vector(0, 1, 0)))
-
-
 def _state(feature, name):
     """Expression of a property, or None, and its value as Python source."""
     return dict(feature.ExpressionEngine).get(name), literal(getattr(feature, name))
@@ -320,17 +290,3 @@ def _display(value):
     if isinstance(value, FreeCAD.Units.Quantity):
         return value.UserString if value else translate("PNSurfaces", "none")
     return str(value)
-
-
-def _range(low, high):
-    """The distances between two limits in millimetres, which may be infinite."""
-    if low >= high:
-        return translate("PNSurfaces", "empty")
-    limits = [_limit(limit) for limit in (low, high)]
-    return translate("PNSurfaces", "{} to {} mm").format(*limits)
-
-
-def _limit(limit):
-    if math.isfinite(limit):
-        return f"{limit:.6g}"
-    return "∞" if limit > 0 else "−∞"

@@ -13,6 +13,8 @@ from pnsurfaces.mid_surface_skins import MidSurfaceSkins
 from pnsurfaces.mid_surface_skins_panel import MidSurfaceSkinsPanel
 from pnsurfaces.mirror_wavefront import MirrorWavefront
 from pnsurfaces.mirror_wavefront_panel import MirrorWavefrontPanel
+from pnsurfaces.moving_conic_section import MovingConicSection
+from pnsurfaces.moving_conic_section_panel import MovingConicSectionPanel
 from pnsurfaces.quadric_offset import QuadricOffset
 from pnsurfaces.quadric_offset_panel import QuadricOffsetPanel
 from pnsurfaces.ruled_offset import RuledOffset
@@ -27,6 +29,7 @@ PANELS = {
     CanalSurface: CanalSurfacePanel,
     MidSurfaceSkins: MidSurfaceSkinsPanel,
     MirrorWavefront: MirrorWavefrontPanel,
+    MovingConicSection: MovingConicSectionPanel,
     QuadricOffset: QuadricOffsetPanel,
     RuledOffset: RuledOffsetPanel,
     TriangulatedSkins: TriangulatedSkinsPanel,

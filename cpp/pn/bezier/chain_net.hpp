@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Chain nets: the control points of a chain of envelopes.
-//
-// Between its joints a chain becomes faces: C1 splines along it, and around it the columns of a
-// circle or of an arc (circle_parameter.hpp). Arcs are divided until all weights are positive.
-// Neighbours share their circles, bit for bit.
+// Chain nets: the control points of a chain of envelopes, faces along its segments.
 #pragma once
 
 #include <vector>
 
 #include "pn/bezier/parameter_lines.hpp"
 #include "pn/bezier/section_net.hpp"
+#include "pn/bezier/segment_faces.hpp"
 
 namespace pn {
-
-/// Where a face of the net lies on the chain.
-struct ChainPlace {
-  int arcs;  ///< of the whole circle, of which the face has a part; 0 for an arc of the circle that
-             ///< is a band u = (1 - s : s)
-  std::size_t first_segment, last_segment;  ///< it lies over the segments [first, last)
-};
 
 class ChainNet : public SectionNet {
  public:

@@ -12,11 +12,22 @@
 // which are in U and V since these are convex. X and Y are linearly independent, so a X + b Y = 0
 // only for a = b = 0. QED. For a single rectangle this is the hodograph criterion of T. W.
 // Sederberg and R. J. Meyers, Loop detection in surface patch intersections, CAGD 5, 1988.
+//
+// THEOREM 2 (ibid.). If x_u and x_v are at most alpha and beta from unit vectors a and b with the
+// angle gamma, in independent cones, the direction of x_u x x_v is at most theta from a x b, where
+//
+//     sin^2 theta = (sin^2 alpha + 2 sin alpha sin beta |cos gamma| + sin^2 beta) / sin^2 gamma
+//     < 1.
+//
+// Proof: the unit normal n is orthogonal to x_u, so |n.a| <= sin alpha, and |n.b| <= sin
+// beta. Its component in the plane of a and b, with these two products, is as long as sin theta at
+// most. For independent cones x_u x x_v is never zero, so that n does not change sides.
 #pragma once
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pn {
 
@@ -50,6 +61,18 @@ inline DirectionCone joined(const DirectionCone& a, const DirectionCone& b) {
 inline bool are_independent(const DirectionCone& a, const DirectionCone& b) {
   const bool are_convex = std::max(a.half_angle, b.half_angle) < M_PI / 2;
   return are_convex && a.half_angle + b.half_angle < unoriented_angle(a.axis, b.axis);
+}
+
+/// The cone of theorem 2 around the cross products of directions of both; none where it says
+/// nothing.
+inline std::optional<DirectionCone> cross_cone(const DirectionCone& a, const DirectionCone& b) {
+  if (!are_independent(a, b)) return std::nullopt;
+  const Eigen::Vector3d normal = a.axis.cross(b.axis);
+  const double p = std::sin(a.half_angle), q = std::sin(b.half_angle);
+  const double sine =
+      std::sqrt(p * p + 2 * p * q * std::abs(a.axis.dot(b.axis)) + q * q) / normal.norm();
+  if (!(sine < 1)) return std::nullopt;
+  return DirectionCone{normal.normalized(), std::asin(sine)};
 }
 
 }  // namespace pn

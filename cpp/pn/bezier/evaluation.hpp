@@ -13,10 +13,12 @@
 
 namespace pn {
 
-/// The basis functions that do not vanish at a parameter, and the index of the first of them.
+/// The basis functions that do not vanish at a parameter, their derivatives, and the index of the
+/// first of them.
 struct ActiveBasis {
+  using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kLargestDegree + 1, 1>;
   std::size_t first;
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kLargestDegree + 1, 1> values;
+  Numbers values, slopes;
 };
 
 /// The basis functions of a degree up to the largest one, over these knots.
@@ -39,8 +41,19 @@ class SurfaceEvaluation {
   explicit SurfaceEvaluation(const BSplineSurface& surface);
 
   std::array<double, 3> operator()(double u, double v) const;
+  /// S_u x S_v, not of unit length.
+  std::array<double, 3> normal(double u, double v) const;
 
  private:
+  using Numbers = ActiveBasis::Numbers;
+  struct Place {
+    ActiveBasis along, around;
+  };
+  Place place(double u, double v) const;
+  /// The weighted sum of the active poles, and of their weights.
+  Eigen::Vector4d combination(const Place& place, const Numbers& along,
+                              const Numbers& around) const;
+
   const BSplineSurface& surface_;
   SplineBasis along_, around_;
 };

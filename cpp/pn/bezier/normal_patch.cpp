@@ -107,8 +107,11 @@ std::array<Net, 2> halved(const Net& net, Index count, const Line& line) {
 
 }  // namespace
 
-NormalPatch::NormalPatch(Net net)
-    : net_(std::move(net)), poles_(3, rows() * columns()), normals_(3, rows() * columns()) {
+NormalPatch::NormalPatch(Net net, Normals normals)
+    : net_(std::move(net)),
+      normals_are_(normals),
+      poles_(3, rows() * columns()),
+      normals_(3, rows() * columns()) {
   for (Index i = 0; i < rows(); ++i) {
     for (Index j = 0; j < columns(); ++j) {
       const auto point = net_.block<1, kComponents>(i, kComponents * j);
@@ -134,8 +137,11 @@ SurfaceJet NormalPatch::at(double u, double v) const {
   }
   const double weight = value(6);
   const Vector3d point = value.head<3>() / weight;
-  return {point, (by_u.head<3>() - by_u(6) * point) / weight,
-          (by_v.head<3>() - by_v(6) * point) / weight, value.segment<3>(3).normalized()};
+  const Vector3d x_u = (by_u.head<3>() - by_u(6) * point) / weight,
+                 x_v = (by_v.head<3>() - by_v(6) * point) / weight;
+  const Vector3d normal =
+      normals_are_ == Normals::kRational ? Vector3d(value.segment<3>(3)) : x_u.cross(x_v);
+  return {point, x_u, x_v, normal.normalized()};
 }
 
 std::array<NormalPatch, 2> NormalPatch::halved(Variable variable) const {
@@ -145,10 +151,15 @@ std::array<NormalPatch, 2> NormalPatch::halved(Variable variable) const {
   };
   std::array<Net, 2> halves = variable == Variable::kU ? pn::halved(net_, rows(), row)
                                                        : pn::halved(net_, columns(), column);
-  return {NormalPatch(std::move(halves[0])), NormalPatch(std::move(halves[1]))};
+  return {NormalPatch(std::move(halves[0]), normals_are_),
+          NormalPatch(std::move(halves[1]), normals_are_)};
 }
 
 std::optional<DirectionCone> NormalPatch::normal_cone() const {
+  if (normals_are_ == Normals::kOfDerivatives) {
+    const auto along = tangent_cone(Variable::kU), across = tangent_cone(Variable::kV);
+    return along && across ? cross_cone(*along, *across) : std::nullopt;
+  }
   const Vector3d sum = normals_.rowwise().sum();
   const double length = sum.norm();
   if (!(length > 0)) return std::nullopt;
@@ -203,9 +214,10 @@ double NormalPatch::longest_line(const Eigen::Matrix3Xd& points, Variable variab
   return longest;
 }
 
-std::vector<NormalPatch> normal_patches(const BSplineSurface& surface,
-                                        const BSplineSurface& normal) {
-  const Net net = homogeneous(surface, normal);
+namespace {
+
+std::vector<NormalPatch> patches_of(const BSplineSurface& surface, const Net& net,
+                                    Normals normals) {
   const auto along = span_points(surface.u_degree, surface.u_knots, surface.u_multiplicities);
   const auto across = span_points(surface.v_degree, surface.v_knots, surface.v_multiplicities);
   std::vector<NormalPatch> patches;
@@ -219,10 +231,23 @@ std::vector<NormalPatch> normal_patches(const BSplineSurface& surface,
               v.from_poles(j, k) * rows.middleCols<kComponents>(kComponents * (v.first_pole + k));
         }
       }
-      patches.emplace_back(std::move(patch));
+      patches.emplace_back(std::move(patch), normals);
     }
   }
   return patches;
+}
+
+}  // namespace
+
+std::vector<NormalPatch> normal_patches(const BSplineSurface& surface,
+                                        const BSplineSurface& normal) {
+  return patches_of(surface, homogeneous(surface, normal), Normals::kRational);
+}
+
+std::vector<NormalPatch> normal_patches(const BSplineSurface& surface) {
+  BSplineSurface none = surface;
+  none.poles.assign(surface.poles.size(), {0, 0, 0});
+  return patches_of(surface, homogeneous(surface, none), Normals::kOfDerivatives);
 }
 
 }  // namespace pn

@@ -11,6 +11,9 @@
 //     max|P - c| from the convex hull of the differences p dA of neighbouring A; and so for v.
 //
 // The second bound is as near as the first: halving a piece halves dw and |P - c|.
+//
+// The normals of a surface that has no rational ones are those of its derivatives, in the cone of
+// direction_cone.hpp around the cross products.
 #pragma once
 
 #include <Eigen/Dense>
@@ -29,13 +32,19 @@ struct SurfaceJet {
   Eigen::Vector3d point, u, v, normal;
 };
 
+/// What the normals of a patch are.
+enum class Normals {
+  kRational,       ///< those in its control points
+  kOfDerivatives,  ///< x_u x x_v; the control points hold none
+};
+
 class NormalPatch {
  public:
   /// For each row along the control points (w x, w n, w), one after the other.
   using Net = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   static constexpr Eigen::Index kComponents = 7;
 
-  explicit NormalPatch(Net net);
+  NormalPatch(Net net, Normals normals);
 
   int degree(Variable variable) const;
   /// At parameters in [0, 1]; nearby ones continue the polynomials.
@@ -48,7 +57,7 @@ class NormalPatch {
   std::optional<DirectionCone> normal_cone() const;
   std::optional<DirectionCone> tangent_cone(Variable variable) const;
   /// How long the lines of this variable are, and how far [rad] the normals turn along them, at
-  /// most: by their control polygons.
+  /// most: by their control polygons. Zero for normals of derivatives.
   double length(Variable variable) const { return longest_line(poles_, variable); }
   double turn(Variable variable) const { return longest_line(normals_, variable); }
 
@@ -65,6 +74,7 @@ class NormalPatch {
   double weight(Eigen::Index i, Eigen::Index j) const { return net_(i, kComponents * j + 6); }
 
   Net net_;
+  Normals normals_are_;
   Eigen::Matrix3Xd poles_, normals_;
 };
 
@@ -72,5 +82,7 @@ class NormalPatch {
 /// `surface`, and unit vectors as its points.
 std::vector<NormalPatch> normal_patches(const BSplineSurface& surface,
                                         const BSplineSurface& normal);
+/// The same with the normals of the derivatives.
+std::vector<NormalPatch> normal_patches(const BSplineSurface& surface);
 
 }  // namespace pn

@@ -19,12 +19,6 @@ namespace {
 using namespace lines;
 using Eigen::Matrix2d;
 
-/// Weights that vary by more than this within the chain are evened out by halving segments: twice
-/// the ratio 0.01 that the exported faces keep.
-constexpr double kLeastWeightRatio = 0.02;
-/// A segment is halved at most so often; then positive weights are taken as they are.
-constexpr int kMostHalvings = 10;
-
 /// A part of a link whose lines are one polynomial F, over [begin, end] of the spine's parameter.
 struct Segment {
   std::size_t link;
@@ -207,31 +201,6 @@ class FactorSequence {
   std::vector<LineFactor<T>> factors_;
 };
 
-struct WeightRange {
-  double least, largest;
-};
-
-/// The Bernstein coefficients of a form over a segment and the columns around the circle.
-WeightRange weight_range(const FormInU<double>& form, const std::vector<CircleColumns>& circle) {
-  std::vector<std::vector<double>> rows;
-  for (const Form<double>& c : form.coefficient) rows.push_back(to_bernstein(c.coefficients()));
-  WeightRange range{INFINITY, -INFINITY};
-  for (const CircleColumns& columns : circle) {
-    for (const auto& column : columns.coefficients) {
-      std::vector<double> factors;
-      for (const Rational& x : column) factors.push_back(x.to_double());
-      for (std::size_t i = 0; i < rows[0].size(); ++i) {
-        double weight = 0;
-        for (std::size_t q = 0; q < rows.size(); ++q) weight += factors[q] * rows[q][i];
-        if (!std::isfinite(weight)) return {-INFINITY, INFINITY};
-        range.least = std::min(range.least, weight);
-        range.largest = std::max(range.largest, weight);
-      }
-    }
-  }
-  return range;
-}
-
 /// Room for the degree of F under OpenCASCADE's limit.
 int room_for_lines(const Envelope& envelope) {
   return std::max(0, (kLargestDegree - envelope.degree()) / envelope.degree_per_line());
@@ -256,11 +225,11 @@ constexpr std::array<BandAttempt, 10> kBandAttempts = {
      {1, 0.3, 0, kLeastWeightRatio},
      {2, 0.1, 0, kLeastWeightRatio},
      {2, 0.3, 0, kLeastWeightRatio},
-     {2, 0.1, kMostHalvings, kLeastWeightRatio},
-     {2, 0.1, kMostHalvings, kLeastRatioOfLongRulings},
-     {2, 0.01, kMostHalvings, kLeastRatioOfLongRulings},
-     {2, 0.001, kMostHalvings, kLeastRatioOfLongRulings},
-     {2, 1.0, kMostHalvings, kLeastRatioOfLongRulings}}};
+     {2, 0.1, kMostSegmentHalvings, kLeastWeightRatio},
+     {2, 0.1, kMostSegmentHalvings, kLeastRatioOfLongRulings},
+     {2, 0.01, kMostSegmentHalvings, kLeastRatioOfLongRulings},
+     {2, 0.001, kMostSegmentHalvings, kLeastRatioOfLongRulings},
+     {2, 1.0, kMostSegmentHalvings, kLeastRatioOfLongRulings}}};
 
 /// How the lines of a region are tried: the degree of F over arcs, which arcs of the circles they
 /// take and how far beyond, and how often segments may be halved.
@@ -312,13 +281,10 @@ class Planner {
       const Segment& segment = segments_[i];
       const SpinorMatrix<ComplexBall> spinor = lined<RealBall>(spinors[i], factors[i]);
       const Carrier<RealBall> carrier = carrier_of<RealBall>(segment);
-      result[i] = {chain_.links[segment.link].stands_still(),
-                   segment.begin,
-                   segment.end,
-                   segment.joint_before,
-                   segment.around,
+      result[i] = {{chain_.links[segment.link].stands_still(), segment.begin, segment.end,
+                    segment.joint_before, segment.around,
+                    sections(carrier, isotropic_vector<RealBall>(spinor))},
                    midpoint(carrier),
-                   sections(carrier, isotropic_vector<RealBall>(spinor)),
                    midpoint(spinor)};
     });
     return result;
@@ -486,7 +452,7 @@ class Planner {
     std::vector<Segment> refined;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       const bool is_uneven =
-          ranges[i].least <= least && can_be_refined(segments_[i], kMostHalvings);
+          ranges[i].least <= least && can_be_refined(segments_[i], kMostSegmentHalvings);
       changed = changed || is_uneven;
       const std::vector<Segment> parts =
           is_uneven ? refinement(segments_[i]) : std::vector<Segment>{segments_[i]};
@@ -648,38 +614,15 @@ class Planner {
   std::vector<char> bad_;  ///< of a band: the segments to be halved
 };
 
-}  // namespace
-
-std::vector<CircleColumns> circle_columns(Lines lines, int arcs, int form_degree) {
-  std::vector<CircleColumns> columns;
-  if (lines == Lines::kEven) {
-    columns.push_back(circle_part(0, arcs, arcs, form_degree));
-  } else {
-    for (int i = 0; i < arcs; ++i) columns.push_back(circle_arc(i, arcs, form_degree));
-  }
-  // A power of two, so the knots stay exact and evenly spaced.
-  const double scale = static_cast<double>(kLeastArcs) / arcs;
-  for (CircleColumns& column : columns) {
-    for (double& knot : column.knots) knot *= scale;
-  }
-  return columns;
-}
-
-namespace {
-
 /// Developable strips have their rulings for lines already.
 std::vector<LinedSegment> strip_segments(const EnvelopeChain& chain, long precision) {
   std::vector<LinedSegment> segments(chain.links.size());
   for_each_index(segments.size(), [&](std::size_t i) {
     const ChainLink& link = chain.links[i];
     const Carrier<RealBall> carrier = link.envelope.enclosure(precision).carrier;
-    segments[i] = {false,
-                   link.begin,
-                   link.end,
-                   link.joint_before,
-                   Around::kArc,
+    segments[i] = {{false, link.begin, link.end, link.joint_before, Around::kArc,
+                    sections(carrier, IsotropicVector<RealBall>{})},
                    midpoint(carrier),
-                   sections(carrier, IsotropicVector<RealBall>{}),
                    {}};
   });
   return segments;

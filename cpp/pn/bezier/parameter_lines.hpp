@@ -14,47 +14,13 @@
 
 #include <vector>
 
-#include "pn/bezier/circle_parameter.hpp"
-#include "pn/isotropic/envelope_chain.hpp"
+#include "pn/bezier/section_segment.hpp"
 
 namespace pn {
 
-enum class Lines {
-  kEven,          ///< smooth faces, even lines
-  kLowestDegree,  ///< F constant where weights allow it: the algebra's degree, a face for every arc
-};
-
-/// Arcs around the circle: the least number, doubled up to the most until all weights are positive.
-/// With four, the weights of an even circle vary by a factor of 1.02.
-inline constexpr int kLeastArcs = 4;
-inline constexpr int kMostArcs = 32;
-
-/// The faces around the circle, over [0, 4]: a closed one of so many arcs for even lines, one for
-/// every arc for lowest degree. `arcs` is 4 times a power of two; the forms have this degree in u.
-std::vector<CircleColumns> circle_columns(Lines lines, int arcs, int form_degree);
-
-/// What of each circle the faces over a segment take.
-enum class Around {
-  kCircle,        ///< all of it, by a closed face
-  kHalves,        ///< all of it, by two faces
-  kUnequalParts,  ///< all of it, by a face of three arcs of four and one of the fourth
-  kLargerPart,    ///< the three arcs
-  kArc,           ///< the arc u = (1 - s : s)
-};
-
-/// The larger of two unequal parts of the circle, of the least number of arcs.
-inline constexpr int kArcsOfLargerPart = 3;
-
-/// A piece of the envelope with its lines, over the interval [begin, end] of the designer's
-/// parameter; of [0, 1] in a zone of a sphere, where the spine stands still.
-struct LinedSegment {
-  bool stands_still;
-  double begin, end;
-  Joint joint_before;
-  Around around;
-  Carrier<double>
-      carrier;  ///< nearly; in the segment's own parameter on [0, 1], as all that follow
-  HomogeneousSections<RealBall> sections;
+/// A piece of the envelope with its lines.
+struct LinedSegment : SectionSegment {
+  Carrier<double> carrier;  ///< nearly; in the segment's own parameter on [0, 1], as `lines`
   SpinorMatrix<std::complex<double>> lines;  ///< A F, nearly
 };
 

@@ -161,8 +161,8 @@ std::optional<SelfIntersection> PNSurface::self_intersection() const {
   std::vector<SectionFace> faces;
   for (std::size_t i = 0; i < rounded->exported.size(); ++i) {
     const std::size_t net_face = rounded->net_faces[i];
-    faces.push_back(
-        {&rounded->exported[i], &normals[net_face], rounded->net->faces()[net_face].stands_still});
+    faces.push_back({&rounded->exported[i], has_offsets() ? &normals[net_face] : nullptr,
+                     rounded->net->faces()[net_face].stands_still});
   }
   return pn::self_intersection(faces);
 }
@@ -175,6 +175,7 @@ std::vector<SurfacePoint> PNSurface::evaluate(const std::vector<double>& t,
   }
   const auto rounded = section(Lines::kEven);
   const std::vector<BSplineSurface> normals = rounded->net->normals();
+  const bool is_rational = rounded->net->has_normals();
   std::vector<SurfaceEvaluation> points_of, normals_of;
   for (const RoundedFace& face : rounded->faces) points_of.emplace_back(face.surface);
   for (const BSplineSurface& face : normals) normals_of.emplace_back(face);
@@ -182,7 +183,9 @@ std::vector<SurfacePoint> PNSurface::evaluate(const std::vector<double>& t,
   result.reserve(t.size());
   for (std::size_t i = 0; i < t.size(); ++i) {
     const std::size_t face = rounded->face_at(t[i], v[i]);
-    result.push_back({points_of[face](t[i], v[i]), unit(normals_of[face](t[i], v[i]))});
+    const auto normal =
+        is_rational ? normals_of[face](t[i], v[i]) : points_of[face].normal(t[i], v[i]);
+    result.push_back({points_of[face](t[i], v[i]), unit(normal)});
   }
   return result;
 }

@@ -173,6 +173,14 @@ std::vector<RoundedFace> SectionNet::section(double distance) const {
   return result;
 }
 
+bool SectionNet::has_normals() const {
+  const auto is_zero = [](const RealBall& x) { return x.is_zero(); };
+  const std::vector<NetPole>& poles = faces_.front().poles;
+  return !std::all_of(poles.begin(), poles.end(), [&](const NetPole& pole) {
+    return std::all_of(pole.direction.begin(), pole.direction.end(), is_zero);
+  });
+}
+
 std::vector<BSplineSurface> SectionNet::normals() const {
   std::vector<BSplineSurface> result;
   for (const FaceNet& face : faces_) {

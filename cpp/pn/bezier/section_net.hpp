@@ -30,7 +30,7 @@ namespace pn {
 /// A control point of all sections: pole P + d V of this weight.
 struct NetPole {
   std::array<RealBall, 3> point;      ///< P [mm]
-  std::array<RealBall, 3> direction;  ///< V
+  std::array<RealBall, 3> direction;  ///< V; zero where normals are not rational
   RealBall weight;
 };
 
@@ -60,6 +60,8 @@ class SectionNet {
   /// The faces at distance d [mm]. Throws Undecided when some number is not known to within one
   /// unit in its last place.
   std::vector<RoundedFace> section(double distance) const;
+  /// Normals are rational.
+  bool has_normals() const;
   /// The faces of (w1, w2, w3) / w4 over the same knots: unit normals, in doubles, as estimates.
   std::vector<BSplineSurface> normals() const;
 

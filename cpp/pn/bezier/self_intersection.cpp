@@ -501,7 +501,8 @@ Section prepared(const std::vector<SectionFace>& faces) {
   std::vector<std::size_t> first_patch = {0};
   std::vector<std::vector<NormalPatch>> patches(faces.size());
   for_each_index(faces.size(), [&](std::size_t i) {
-    patches[i] = normal_patches(*faces[i].surface, *faces[i].normal);
+    const auto& [surface, normal, stands_still] = faces[i];
+    patches[i] = normal ? normal_patches(*surface, *normal) : normal_patches(*surface);
   });
   for (std::size_t i = 0; i < faces.size(); ++i) {
     section.faces.push_back(face_of(faces[i], i, section.same_place));

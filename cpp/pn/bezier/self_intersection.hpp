@@ -2,7 +2,8 @@
 // Self-intersection: where a section crosses itself, however far apart along the surface.
 //
 // A section is the image of its faces, glued along their edges, that has a rational unit normal
-// everywhere, also where it is singular. So the planes of two sheets that cross are known, and
+// everywhere, also where it is singular; that of other surfaces is the one of their derivatives,
+// where these are independent. So the planes of two sheets that cross are known, and
 //
 //     the section crosses itself at x(p) = x(q) when p and q are different points and the angle of
 //     the tangent planes there is not zero.
@@ -53,7 +54,8 @@ inline constexpr double kResolution = 0x1p-18;
 /// A face of a section.
 struct SectionFace {
   const BSplineSurface* surface;
-  const BSplineSurface* normal;  ///< over the same knots, with the same weights
+  /// Over the same knots, with the same weights; null where unit normals are not rational.
+  const BSplineSurface* normal;
   bool stands_still;  ///< a zone of a sphere at a corner, between its neighbours in order
 };
 

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "pn/conics/conic_family.hpp"
 
@@ -25,6 +26,13 @@ struct MovingConic {
   /// plane.
   std::array<Vector3<RationalPolynomial>, 4> frame;
   Matrix3<RationalPolynomial> conic;  ///< y^T C y = 0 for the point frame * y
+};
+
+/// The part of each conic where cut . y > 0, y in the coordinates of its frame; all of it without a
+/// cut, an ellipse.
+struct ConicSpan {
+  MovingConic conic;
+  std::optional<Vector3<RationalPolynomial>> cut;
 };
 
 /// With the degrees of the columns of the frame.

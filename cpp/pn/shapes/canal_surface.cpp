@@ -9,7 +9,6 @@
 #include "pn/algebra/roots.hpp"
 #include "pn/geometry_error.hpp"
 #include "pn/isotropic/along_curve.hpp"
-#include "pn/shapes/sphere_spans.hpp"
 
 namespace pn {
 namespace {
@@ -19,67 +18,18 @@ namespace {
 constexpr double kClosableGap = 1e-7;
 /// A joint that turns by more than this [rad] is a corner whatever its size.
 constexpr double kClosableAngle = 1e-6;
-/// A smaller turn [rad] is the rounding of the poles next to the joint, a few hundred units in the
-/// last place of their chord; it is closed without a word, its gap counted in the deviation.
-constexpr double kRoundingAngle = 1e-13;
 
 using Vector4 = std::array<Rational, 4>;
 
-/// A span of the spine with its spheres, over [begin, end] of the spine's parameter.
-struct Span {
-  SphereCurve spheres;
+struct Span : SphereSpan {
   TangentDirection direction;
-  Rational begin, end;
 };
 
-double parameter(const Span& span, double local) {
-  const double begin = span.begin.to_double();
-  return begin + local * (span.end.to_double() - begin);
-}
-
-std::string place(const Span& span, double local) {
-  const Rational t = Rational::exactly(local);
-  const double w = span.spheres.denominator(t).to_double();
-  std::string text = "(";
-  for (std::size_t i = 0; i < 3; ++i) {
-    text += show(span.spheres.centre[i](t).to_double() / w) + (i < 2 ? ", " : ")");
-  }
-  return text;
-}
-
-std::string interval(const Span& span, double begin, double end) {
-  return "parameters " + show(parameter(span, begin)) + " to " + show(parameter(span, end)) +
-         ", near point " + place(span, (begin + end) / 2);
-}
-
-/// Where a polynomial is negative on [0, 1], as local parameters; its roots there are known.
-struct Interval {
-  double begin, end;
-};
-
-std::optional<Interval> first_negative_interval(const RationalPolynomial& p,
-                                                const std::vector<RealRoot>& roots) {
-  std::vector<double> cuts = {0};
-  for (const RealRoot& root : roots) cuts.push_back(root.value.midpoint());
-  cuts.push_back(1);
-  std::sort(cuts.begin(), cuts.end());
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    if (cuts[i] == cuts[i + 1]) continue;
-    if (p(Rational::exactly((cuts[i] + cuts[i + 1]) / 2)).sign() < 0) {
-      return Interval{cuts[i], cuts[i + 1]};
-    }
-  }
-  return std::nullopt;
-}
-
-std::vector<Span> spans_of(const Curve& spine, const Law& law) {
-  std::vector<SphereSpan> parts = sphere_spans(spine, law);
+std::vector<Span> with_directions(std::vector<SphereSpan> parts) {
   std::vector<Span> spans(parts.size());
   for_each_index(spans.size(), [&](std::size_t i) {
-    spans[i].direction = tangent_direction(parts[i].spheres);
-    spans[i].spheres = std::move(parts[i].spheres);
-    spans[i].begin = parts[i].begin;
-    spans[i].end = parts[i].end;
+    TangentDirection direction = tangent_direction(parts[i].spheres);
+    spans[i] = {std::move(parts[i]), std::move(direction)};
   });
   return spans;
 }
@@ -87,11 +37,11 @@ std::vector<Span> spans_of(const Curve& spine, const Law& law) {
 void require_radius(const Span& span) {
   const RationalPolynomial& radius = span.spheres.radius;
   if (radius.is_zero() || is_positive_on_unit_interval(radius)) return;
-  const auto negative = first_negative_interval(radius, roots_in_unit_interval(radius));
+  const auto negative = first_negative_interval(radius);
   if (!negative) return;
   throw GeometryError(
       ErrorCode::kNegativeRadius,
-      "The radius is negative at " + interval(span, negative->begin, negative->end) + ".");
+      "The radius is negative at " + interval(span, (*negative)[0], (*negative)[1]) + ".");
 }
 
 void require_envelope(const Span& span) {
@@ -107,15 +57,14 @@ void require_envelope(const Span& span) {
                             interval(span, 0, 1) + ": the spheres touch in a curve only.");
   }
   if (is_positive_on_unit_interval(discriminant)) return;
-  const std::vector<RealRoot> roots = roots_in_unit_interval(discriminant);
-  if (const auto steep = first_negative_interval(discriminant, roots)) {
+  if (const auto steep = first_negative_interval(discriminant)) {
     throw GeometryError(
         ErrorCode::kRadiusTooSteep,
         "The radius changes faster than the spine advances at " +
-            interval(span, steep->begin, steep->end) +
+            interval(span, (*steep)[0], (*steep)[1]) +
             ": there the spheres have no envelope. Let the radius change more slowly.");
   }
-  const double touch = roots.front().value.midpoint();
+  const double touch = roots_in_unit_interval(discriminant).front().value.midpoint();
   throw GeometryError(ErrorCode::kPinched,
                       "The radius changes exactly as fast as the spine advances at parameter " +
                           show(parameter(span, touch)) + ", point " + place(span, touch) +
@@ -342,13 +291,17 @@ class ChainBuilder {
 
 }  // namespace
 
-EnvelopeChain canal_surface(const Curve& spine, const Law& radius) {
-  std::vector<Span> spans = spans_of(spine, radius);
+EnvelopeChain canal_surface(std::vector<SphereSpan> spheres) {
+  std::vector<Span> spans = with_directions(std::move(spheres));
   for_each_index(spans.size(), [&](std::size_t i) {
     require_radius(spans[i]);
     require_envelope(spans[i]);
   });
   return ChainBuilder(oriented(std::move(spans))).chain();
+}
+
+EnvelopeChain canal_surface(const Curve& spine, const Law& radius) {
+  return canal_surface(sphere_spans(spine, radius));
 }
 
 }  // namespace pn

@@ -20,12 +20,14 @@
 #pragma once
 
 #include "pn/isotropic/envelope_chain.hpp"
-#include "pn/shapes/curve.hpp"
+#include "pn/shapes/sphere_spans.hpp"
 
 namespace pn {
 
 /// Throws GeometryError with the parameter interval and the place where the input admits no
 /// envelope.
 EnvelopeChain canal_surface(const Curve& spine, const Law& radius);
+/// The same along spans that continue each other.
+EnvelopeChain canal_surface(std::vector<SphereSpan> spans);
 
 }  // namespace pn

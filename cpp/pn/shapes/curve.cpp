@@ -10,6 +10,21 @@
 #include "pn/shapes/blossom.hpp"
 
 namespace pn {
+
+template <std::size_t Dimension>
+bool joins(const RationalSpan<Dimension>& left, const RationalSpan<Dimension>& right) {
+  const Rational one(1), zero(0);
+  for (std::size_t c = 0; c < Dimension; ++c) {
+    if (left.numerator[c](one) * right.denominator(zero) !=
+        right.numerator[c](zero) * left.denominator(one)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+template bool joins(const RationalSpan<3>&, const RationalSpan<3>&);
+
 namespace {
 
 template <std::size_t Dimension>
@@ -50,18 +65,6 @@ void require_valid(const BSplineData<Dimension>& data) {
 }
 
 template <std::size_t Dimension>
-bool joins(const RationalSpan<Dimension>& left, const RationalSpan<Dimension>& right) {
-  const Rational one(1), zero(0);
-  for (std::size_t c = 0; c < Dimension; ++c) {
-    if (left.numerator[c](one) * right.denominator(zero) !=
-        right.numerator[c](zero) * left.denominator(one)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-template <std::size_t Dimension>
 void require_continuous(const PiecewiseRational<Dimension>& function) {
   for (std::size_t i = 0; i + 1 < function.spans.size(); ++i) {
     if (joins(function.spans[i], function.spans[i + 1])) continue;
@@ -99,6 +102,22 @@ PiecewiseRational<Dimension> piecewise(const BSplineData<Dimension>& data) {
   return function;
 }
 
+/// The part of a function over [begin, end], which lies within one of its spans.
+template <std::size_t Dimension>
+RationalSpan<Dimension> restricted(const PiecewiseRational<Dimension>& function,
+                                   const Rational& begin, const Rational& end) {
+  const auto after = std::upper_bound(function.breaks.begin(), function.breaks.end(), begin);
+  const auto index = static_cast<std::size_t>(after - function.breaks.begin()) - 1;
+  const Rational& first = function.breaks[index];
+  const Rational length = function.breaks[index + 1] - first;
+  RationalSpan<Dimension> span = function.spans[index];
+  if (first == begin && function.breaks[index + 1] == end) return span;
+  const Rational origin = (begin - first) / length, part = (end - begin) / length;
+  for (RationalPolynomial& p : span.numerator) p = p.on_interval(origin, part);
+  span.denominator = span.denominator.on_interval(origin, part);
+  return span;
+}
+
 template <std::size_t Dimension>
 BSplineData<Dimension> bezier_data(const std::vector<std::array<double, Dimension>>& poles,
                                    const std::vector<double>& weights) {
@@ -107,6 +126,20 @@ BSplineData<Dimension> bezier_data(const std::vector<std::array<double, Dimensio
 }
 
 }  // namespace
+
+template <std::size_t Dimension>
+PiecewiseRational<Dimension> refined(const PiecewiseRational<Dimension>& function,
+                                     const std::vector<Rational>& breaks) {
+  PiecewiseRational<Dimension> result{breaks,
+                                      std::vector<RationalSpan<Dimension>>(breaks.size() - 1)};
+  for_each_index(result.spans.size(), [&](std::size_t i) {
+    result.spans[i] = restricted(function, breaks[i], breaks[i + 1]);
+  });
+  return result;
+}
+
+template PiecewiseRational<1> refined(const PiecewiseRational<1>&, const std::vector<Rational>&);
+template PiecewiseRational<3> refined(const PiecewiseRational<3>&, const std::vector<Rational>&);
 
 Curve Curve::bezier(const std::vector<std::array<double, 3>>& poles,
                     const std::vector<double>& weights) {
@@ -170,9 +203,9 @@ PiecewiseRational<1> Law::over(const Rational& begin, const Rational& end) const
   } else if (function.breaks.front() != begin || function.breaks.back() != end) {
     const auto show = [](const Rational& x) { return std::to_string(x.to_double()); };
     throw GeometryError(ErrorCode::kDomainMismatch,
-                        "The radius law is defined over parameters " +
-                            show(function.breaks.front()) + " to " + show(function.breaks.back()) +
-                            ", the spine over " + show(begin) + " to " + show(end) +
+                        "The law is defined over parameters " + show(function.breaks.front()) +
+                            " to " + show(function.breaks.back()) + ", the spine over " +
+                            show(begin) + " to " + show(end) +
                             "; give both the same knots at their ends.");
   }
   return function;

@@ -22,12 +22,25 @@ struct RationalSpan {
   RationalPolynomial denominator;  ///< positive on [0, 1]
 };
 
+/// One ends at the very point where the other begins.
+template <std::size_t Dimension>
+bool joins(const RationalSpan<Dimension>& left, const RationalSpan<Dimension>& right);
+
 /// A continuous piecewise rational function; span i lies over [breaks[i], breaks[i + 1]].
 template <std::size_t Dimension>
 struct PiecewiseRational {
   std::vector<Rational> breaks;  ///< strictly increasing
   std::vector<RationalSpan<Dimension>> spans;
 };
+
+/// The same function over more breaks: `breaks`, ascending, has the same ends and all of its own.
+template <std::size_t Dimension>
+PiecewiseRational<Dimension> refined(const PiecewiseRational<Dimension>& function,
+                                     const std::vector<Rational>& breaks);
+
+/// A smaller turn [rad] where spans of a spine join is the rounding of the poles next to the joint,
+/// a few hundred units in the last place of their chord.
+inline constexpr double kRoundingAngle = 1e-13;
 
 /// The data of a clamped B-spline, as OpenCASCADE and STEP give them: strictly increasing knots
 /// with multiplicities, the first and the last degree + 1; as many weights as poles, or none.

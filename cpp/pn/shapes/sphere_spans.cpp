@@ -6,37 +6,18 @@
 #include <sstream>
 
 #include "pn/algebra/parallel.hpp"
+#include "pn/algebra/roots.hpp"
 
 namespace pn {
 namespace {
 
-/// The part of a function over [begin, end], which lies within one of its spans.
-template <std::size_t Dimension>
-RationalSpan<Dimension> restricted(const PiecewiseRational<Dimension>& function,
-                                   const Rational& begin, const Rational& end) {
-  const auto after = std::upper_bound(function.breaks.begin(), function.breaks.end(), begin);
-  const auto index = static_cast<std::size_t>(after - function.breaks.begin()) - 1;
-  const Rational& first = function.breaks[index];
-  const Rational length = function.breaks[index + 1] - first;
-  RationalSpan<Dimension> span = function.spans[index];
-  if (first == begin && function.breaks[index + 1] == end) return span;
-  const Rational origin = (begin - first) / length, part = (end - begin) / length;
-  for (RationalPolynomial& p : span.numerator) p = p.on_interval(origin, part);
-  span.denominator = span.denominator.on_interval(origin, part);
-  return span;
-}
-
-struct RestrictedSpan {
-  RationalSpan<3> curve;
-  RationalSpan<1> law;
-};
-
-SphereCurve sphere_curve(const RestrictedSpan& span, bool same_weights) {
-  const RationalPolynomial& q = span.curve.denominator;
-  if (same_weights) return {span.curve.numerator, span.law.numerator[0], q};
-  const RationalPolynomial& p = span.law.denominator;
-  return {{span.curve.numerator[0] * p, span.curve.numerator[1] * p, span.curve.numerator[2] * p},
-          span.law.numerator[0] * q,
+SphereCurve sphere_curve(const RationalSpan<3>& curve, const RationalSpan<1>& law,
+                         bool same_weights) {
+  const RationalPolynomial& q = curve.denominator;
+  if (same_weights) return {curve.numerator, law.numerator[0], q};
+  const RationalPolynomial& p = law.denominator;
+  return {{curve.numerator[0] * p, curve.numerator[1] * p, curve.numerator[2] * p},
+          law.numerator[0] * q,
           q * p};
 }
 
@@ -70,17 +51,14 @@ std::vector<SphereSpan> sphere_spans(const Curve& curve, const Law& law,
   const PiecewiseRational<1> radius = law.over(centre.breaks.front(), centre.breaks.back());
   const std::vector<Rational> breaks =
       united_breaks(united_breaks(centre.breaks, radius.breaks), more);
-  std::vector<RestrictedSpan> parts(breaks.size() - 1);
-  for_each_index(parts.size(), [&](std::size_t i) {
-    parts[i] = {restricted(centre, breaks[i], breaks[i + 1]),
-                restricted(radius, breaks[i], breaks[i + 1])};
-  });
-  const bool same_weights = std::all_of(parts.begin(), parts.end(), [](const RestrictedSpan& part) {
-    return part.curve.denominator == part.law.denominator;
-  });
-  std::vector<SphereSpan> spans(parts.size());
+  const std::vector<RationalSpan<3>> centres = refined(centre, breaks).spans;
+  const std::vector<RationalSpan<1>> radii = refined(radius, breaks).spans;
+  const bool same_weights =
+      std::equal(centres.begin(), centres.end(), radii.begin(),
+                 [](const auto& a, const auto& b) { return a.denominator == b.denominator; });
+  std::vector<SphereSpan> spans(centres.size());
   for_each_index(spans.size(), [&](std::size_t i) {
-    spans[i] = {sphere_curve(parts[i], same_weights), breaks[i], breaks[i + 1]};
+    spans[i] = {sphere_curve(centres[i], radii[i], same_weights), breaks[i], breaks[i + 1]};
   });
   return spans;
 }
@@ -94,6 +72,40 @@ bool meets(const SphereSpan& left, const SphereSpan& right, int order) {
          equal(left.spheres.radius, right.spheres.radius) &&
          std::equal(left.spheres.centre.begin(), left.spheres.centre.end(),
                     right.spheres.centre.begin(), equal);
+}
+
+std::optional<std::array<double, 2>> first_negative_interval(const RationalPolynomial& p) {
+  std::vector<double> cuts = {0};
+  for (const RealRoot& root : roots_in_unit_interval(p)) cuts.push_back(root.value.midpoint());
+  cuts.push_back(1);
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    if (cuts[i] == cuts[i + 1]) continue;
+    if (p(Rational::exactly((cuts[i] + cuts[i + 1]) / 2)).sign() < 0) {
+      return std::array<double, 2>{cuts[i], cuts[i + 1]};
+    }
+  }
+  return std::nullopt;
+}
+
+double parameter(const SphereSpan& span, double local) {
+  const double begin = span.begin.to_double();
+  return begin + local * (span.end.to_double() - begin);
+}
+
+std::string place(const SphereSpan& span, double local) {
+  const Rational t = Rational::exactly(local);
+  const double w = span.spheres.denominator(t).to_double();
+  std::string text = "(";
+  for (std::size_t i = 0; i < 3; ++i) {
+    text += show(span.spheres.centre[i](t).to_double() / w) + (i < 2 ? ", " : ")");
+  }
+  return text;
+}
+
+std::string interval(const SphereSpan& span, double begin, double end) {
+  return "parameters " + show(parameter(span, begin)) + " to " + show(parameter(span, end)) +
+         ", near point " + place(span, (begin + end) / 2);
 }
 
 std::string show(double value) {

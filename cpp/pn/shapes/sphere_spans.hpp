@@ -6,6 +6,8 @@
 // weights everywhere, it is their common one.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,19 @@ std::vector<Rational> united_breaks(const std::vector<Rational>& a, const std::v
 /// Numerators and denominator at the end of `left` and the start of `right` agree exactly up to
 /// the derivative of this order by the designer's parameter.
 bool meets(const SphereSpan& left, const SphereSpan& right, int order);
+
+/// The first interval of [0, 1] between roots of p, which is not zero, where p is negative; its
+/// ends are rounded. Nothing when p is nowhere negative.
+std::optional<std::array<double, 2>> first_negative_interval(const RationalPolynomial& p);
+
+/// The designer's parameter at a local one.
+double parameter(const SphereSpan& span, double local);
+
+/// The centre there, as sentences for the user show it.
+std::string place(const SphereSpan& span, double local);
+
+/// "parameters a to b, near point (x, y, z)" for local parameters.
+std::string interval(const SphereSpan& span, double begin, double end);
 
 /// A number as sentences for the user show it.
 std::string show(double value);
