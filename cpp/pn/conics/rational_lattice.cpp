@@ -18,6 +18,16 @@ Vector3<Polynomial> double_line(const Matrix3<Polynomial>& conic) {
   });
 }
 
+/// By its absolute value.
+Rational largest_coefficient(const Polynomial& p) {
+  Rational largest;
+  for (int i = 0; i <= p.degree(); ++i) {
+    const Rational c = p.coefficient(i);
+    largest = std::max(largest, c.sign() < 0 ? -c : c);
+  }
+  return largest;
+}
+
 Matrix3<Polynomial> reduced(Matrix3<Polynomial> m, const ResidueField& field) {
   for (auto& row : m) {
     for (Polynomial& entry : row) entry = field.reduced(entry);
@@ -142,21 +152,21 @@ void RationalLattice::reduce() {
       3, [&](std::size_t j) { return leading_term(j); },
       [&](std::size_t i, const Polynomial& factor, std::size_t j) { add_multiple(i, factor, j); });
   for (std::size_t j = 0; j < 3; ++j) degree_[j] = leading_term(j).degree;
-  make_primitive();
+  scale_to_unit();
 }
 
-void RationalLattice::make_primitive() {
+void RationalLattice::scale_to_unit() {
   for (std::size_t j = 0; j < 3; ++j) {
-    const Rational common =
-        gcd(gcd(content(basis_[0][j]), content(basis_[1][j])), content(basis_[2][j]));
-    multiply(j, Polynomial(Rational(1) / common));
+    Rational largest;
+    for (const auto& row : basis_) largest = std::max(largest, largest_coefficient(row[j]));
+    multiply(j, Polynomial(Rational(1) / largest));
   }
-  Rational common;
+  Rational largest;
   for (const auto& row : conic_) {
-    for (const Polynomial& entry : row) common = gcd(common, content(entry));
+    for (const Polynomial& entry : row) largest = std::max(largest, largest_coefficient(entry));
   }
   for (auto& row : conic_) {
-    for (Polynomial& entry : row) entry *= Polynomial(Rational(1) / common);
+    for (Polynomial& entry : row) entry *= Polynomial(Rational(1) / largest);
   }
 }
 

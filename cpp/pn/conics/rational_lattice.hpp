@@ -51,7 +51,9 @@ class RationalLattice {
   void multiply(std::size_t column, const RationalPolynomial& factor);
   void divide(const RationalPolynomial& factor, int times);
   void reduce();
-  void make_primitive();
+  /// Largest coefficients 1: choices are made in doubles, whose range the integers of coprime
+  /// columns exceed.
+  void scale_to_unit();
   LeadingTerm leading_term(std::size_t column) const;
 
   Vector3<int> row_degree_;
