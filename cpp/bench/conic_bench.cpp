@@ -2,6 +2,7 @@
 // Families of conics, from their matrices to all their points, and surfaces to certified poles.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "pn/bezier/conic_source.hpp"
@@ -31,18 +32,30 @@ Matrix3<RationalPolynomial> diagonal(const RationalPolynomial& l, const Rational
   return {{{l, zero, zero}, {zero, m, zero}, {zero, zero, n}}};
 }
 
-/// L x^2 + M y^2 = N z^2, all of one degree, to points at 128 bits.
+/// L x^2 + M y^2 = N z^2 to points at 128 bits; L, M, N of the degrees 2 l, 2 m, 2 n, without
+/// common zeros. The ansatz for one point has the degrees m + n, l + n, l + m, and the
+/// stereographic projection from it adds the largest degree of the matrix.
 void points_of_conics(benchmark::State& state) {
-  const auto degree = static_cast<int>(state.range(0));
-  const auto matrix = diagonal(positive(degree, 1), positive(degree, 2), -positive(degree, 3));
+  const auto l = static_cast<int>(state.range(0)), m = static_cast<int>(state.range(1)),
+             n = static_cast<int>(state.range(2));
+  const auto matrix = diagonal(positive(2 * l, 1), positive(2 * m, 2), -positive(2 * n, 3));
   for (auto _ : state) {
     const RationalConicFamily conics(conic_family(matrix));
     benchmark::DoNotOptimize(conics.points(128));
     state.counters["degree"] = conics.degree();
     state.counters["bound"] = conics.least_degree();
   }
+  const int ansatz = std::max({m + n, l + n, l + m});
+  state.counters["projected"] = ansatz + 2 * std::max({l, m, n});
 }
-BENCHMARK(points_of_conics)->Arg(4)->Arg(12)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(points_of_conics)
+    ->ArgNames({"l", "m", "n"})
+    ->Args({2, 2, 2})
+    ->Args({6, 6, 6})
+    ->Args({2, 1, 2})
+    ->Args({1, 2, 3})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 /// Upright ellipses with squared half-axes of degree 2: a matrix of degree 4.
 void conic_surface(benchmark::State& state) {

@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Prints the results of pn_bench, a JSON file of Google Benchmark, as tables of medians."""
+"""The results of pn_bench, a JSON file of Google Benchmark, as tables of medians.
+
+python tables.py results.json prints them; page.py makes a page of them.
+"""
 
 import json
 import sys
+from typing import NamedTuple
 
 MILLISECONDS = {"ns": 1e-6, "us": 1e-3, "ms": 1.0, "s": 1e3}
 
@@ -45,16 +49,23 @@ def below(entries, prefix):
     }
 
 
-def print_table(title, header, rows):
+class Table(NamedTuple):
+    """Cells of text: the first column names the row."""
+
+    title: str
+    header: list
+    rows: list
+
+
+def as_text(table):
     """Columns as wide as they need; the first one is text, the others stand right."""
-    if not rows:
-        return
-    cells = [header] + rows
-    widths = [max(len(row[i]) for row in cells) for i in range(len(header))]
-    print(f"\n{title}\n")
+    cells = [table.header, *table.rows]
+    widths = [max(len(row[i]) for row in cells) for i in range(len(table.header))]
+    lines = [table.title, ""]
     for row in cells:
         first, *others = (cell.rjust(width) for cell, width in zip(row, widths))
-        print("  ".join([first.strip().ljust(widths[0]), *others]))
+        lines.append("  ".join([first.strip().ljust(widths[0]), *others]))
+    return "\n".join(lines)
 
 
 def one_span(entries):
@@ -69,8 +80,7 @@ def one_span(entries):
         [step.replace("_", " "), *(at.get(degree, "-") for degree in degrees)]
         for step, at in by_step.items()
     ]
-    title = "Canal surface, one span, ms"
-    print_table(title, ["", *(f"degree {degree}" for degree in degrees)], rows)
+    return Table("Canal surface, one span, ms", ["", *(f"degree {d}" for d in degrees)], rows)
 
 
 def many_spans(entries, family, title):
@@ -95,7 +105,7 @@ def many_spans(entries, family, title):
             ]
         )
     header = ["spans", "1 thread, ms", "2 threads, ms", "speedup", "us/span", "kept kB/span"]
-    print_table(title, [*header, "peak kB/span", "poles/span"], rows)
+    return Table(title, [*header, "peak kB/span", "poles/span"], rows)
 
 
 def cell(entry, form, value):
@@ -123,7 +133,7 @@ def offset_steps(entries):
         )
     names = [step.replace("_", " ") for step in steps]
     header = ["", *names, "poles", "proven, mm", "edges off, mm"]
-    print_table("Offsets by steps, ms", header, rows)
+    return Table("Offsets by steps, ms", header, rows)
 
 
 def cases(entries, family):
@@ -158,7 +168,19 @@ def net_types(entries):
         ]
         for entry in below(entries, "net_type").values()
     ]
-    print_table("Both skins of six spheres, by type of net", ["", "ms", "degree", "poles"], rows)
+    return Table("Both skins of six spheres, by type of net", ["", "ms", "degree", "poles"], rows)
+
+
+def points_of_conics(entries):
+    """The degree reached, its bound by the theorem, and that of a projection from one point."""
+    rows = []
+    for name, entry in below(entries, "points_of_conics").items():
+        given = arguments(name)
+        case = ", ".join(str(2 * given[key]) for key in "lmn")
+        degrees = (f"{entry[key]:.0f}" for key in ("degree", "bound", "projected"))
+        rows.append([case, f"{milliseconds(entry):.2f}", *degrees])
+    title = "Points of the conics L x^2 + M y^2 = N z^2"
+    return Table(title, ["degrees of L, M, N", "ms", "degree", "bound", "by projection"], rows)
 
 
 def side_by_side_row(entry, exact):
@@ -191,7 +213,7 @@ def side_by_side(runs, title):
     the maker gives: ours proven, OpenCASCADE's estimated."""
     exact = runs.get("exact")
     rows = [side_by_side_row(entry, exact) for entry in runs.values()]
-    print_table(title, [*SIDE_BY_SIDE, "faces read back, mm"], rows)
+    return Table(title, [*SIDE_BY_SIDE, "faces read back, mm"], rows)
 
 
 def offset_side_by_side(entries, case):
@@ -200,27 +222,46 @@ def offset_side_by_side(entries, case):
     shape = f": {whole['label']}" if whole else ""
     poles = {"poles": {**whole, "label": "PN Surfaces, poles only"}} if whole else {}
     runs = {**poles, **below(entries, f"offset_case/{case}")}
-    side_by_side(runs, f"Case {case}{shape}")
+    return side_by_side(runs, f"Case {case}{shape}")
+
+
+def tables(entries):
+    """All that have rows, in the order of a reader's interest."""
+    found = [
+        one_span(entries),
+        many_spans(entries, "many_spans", "Canal surface along a cubic C2 B-spline"),
+        many_spans(
+            entries, "many_ruled_spans", "Offset of a ruled surface between cubic C2 B-splines"
+        ),
+        offset_steps(entries),
+        points_of_conics(entries),
+        net_types(entries),
+        side_by_side(below(entries, "case_c1"), "Case C1: constant radius along a cubic"),
+        side_by_side(below(entries, "case_c2"), "Case C2: cubic radius along a cubic"),
+        *(offset_side_by_side(entries, case) for case in cases(entries, "offset_case")),
+    ]
+    return [table for table in found if table.rows]
+
+
+def results_in(path):
+    with open(path, encoding="utf-8") as file:
+        return json.load(file)
+
+
+def machine(results):
+    """A sentence on what was measured on."""
+    context = results["context"]
+    return (
+        f"{context['num_cpus']} processors of {context['mhz_per_cpu']} MHz, load"
+        f" {context['load_avg'][0]:.1f} at the start; medians of wall time."
+    )
 
 
 def main(path):
-    with open(path, encoding="utf-8") as file:
-        results = json.load(file)
-    context = results["context"]
-    print(
-        f"{context['num_cpus']} processors of {context['mhz_per_cpu']} MHz, load "
-        f"{context['load_avg'][0]:.1f} at the start; medians of wall time."
-    )
-    entries = medians(results)
-    one_span(entries)
-    many_spans(entries, "many_spans", "Canal surface along a cubic C2 B-spline")
-    many_spans(entries, "many_ruled_spans", "Offset of a ruled surface between cubic C2 B-splines")
-    offset_steps(entries)
-    net_types(entries)
-    side_by_side(below(entries, "case_c1"), "Case C1: constant radius along a cubic")
-    side_by_side(below(entries, "case_c2"), "Case C2: cubic radius along a cubic")
-    for case in cases(entries, "offset_case"):
-        offset_side_by_side(entries, case)
+    results = results_in(path)
+    print(machine(results))
+    for table in tables(medians(results)):
+        print(f"\n{as_text(table)}")
 
 
 if __name__ == "__main__":

@@ -20,6 +20,8 @@
 #include "pn/shapes/canal_surface.hpp"
 #include "pn/shapes/quadric.hpp"
 #include "pn/shapes/ruled_surface.hpp"
+#include "rational_conics.hpp"
+#include "quadratic_cones.hpp"
 #include "rational_envelope.hpp"
 #include "sphere_families.hpp"
 #include "surfaces_from_functions.hpp"
@@ -475,6 +477,7 @@ void define_surface(py::module_& module) {
 
 PYBIND11_MODULE(pnkernel, module) {
   module.doc() = "Exact offset surfaces with rational unit normals. Millimetres, NumPy arrays.";
+  module.attr("__version__") = PN_VERSION;
   define_error(module);
   define_cancellation(module);
   define_inputs(module);
@@ -486,4 +489,6 @@ PYBIND11_MODULE(pnkernel, module) {
   define_moebius_canal_surface(module);
   define_moving_conic_section(module);
   define_conic_surfaces(module);
+  define_rational_conics(module);
+  define_quadratic_cones(module);
 }

@@ -149,7 +149,7 @@ std::string domed_thick_solid(const py::iterable& inner_faces, const py::iterabl
   const auto inner = surfaces_from(inner_faces), outer = surfaces_from(outer_faces);
   const py::gil_scoped_release release;
   return drawable_brep(pn::make_thick_solid(pn::make_domed_shell(pn::make_shell(inner)),
-                                          pn::make_domed_shell(pn::make_shell(outer))));
+                                            pn::make_domed_shell(pn::make_shell(outer))));
 }
 
 std::vector<std::string> check(const std::string& brep, bool boolean) {
@@ -274,7 +274,8 @@ PYBIND11_MODULE(pnocct, m) {
         "together.\n\n"
         "Sides of faces that have the same poles, bit for bit and in either direction, are one\n"
         "edge, and so are pieces of such sides between the same points, and trims with the same\n"
-        "points. Edges along trims inside a surface lie within 1e-9 mm of it. Raises ValueError when there is no face or a loop of\n"
+        "points. Edges along trims inside a surface lie within 1e-9 mm of it. Raises ValueError "
+        "when there is no face or a loop of\n"
         "trims is not closed.");
   m.def("capped_solid", &capped_solid, "faces"_a,
         "Return the solid inside the shell of the faces, its open ends closed by planar faces.\n\n"

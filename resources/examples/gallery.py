@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The list of the examples: what the command Examples offers, the demo shows and the tests check.
 
-Another example is a script <name>.py with a function make_<name>() beside this file, an entry here, and
-its picture docs/images/<name>.png, which scripts/demo makes.
+Another example is a script <name>.py with a function make_<name>() beside this file, an entry here,
+and its picture docs/images/<name>.png, which scripts/demo makes.
 """
 
 from typing import NamedTuple
@@ -123,5 +123,14 @@ EXAMPLES = (
             " exact offsets of each other.",
         ),
         ("Near", "Middle", "Far"), (), 30, 20,
+    ),
+    Example(
+        "duct",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Duct"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces",
+            "A duct from a flat opening to a round pipe, around a bend: true ellipses along a spine.",
+        ),
+        ("Duct",), ("Duct",), -65, 30,
     ),
 )

@@ -155,14 +155,25 @@ def _table(certificates):
 
 
 def _certificate(example, surface):
-    sign = "±" if surface.Sides == "Both sides" else ""
+    distance, limits = _offset(surface)
     return (
         example.name,
         surface.Label,
-        f"{sign}{surface.Distance.Value:g} mm",
+        distance,
         surface.Degree,
         str(surface.Poles),
         surface.Deviation,
         "yes" if surface.Exact else "no",
+        limits,
+    )
+
+
+def _offset(surface):
+    """Distance and regular distances as text."""
+    if not surface.Proxy.offset_inputs:
+        return "none", "none"
+    sign = "±" if surface.Sides == "Both sides" else ""
+    return (
+        f"{sign}{surface.Distance.Value:g} mm",
         f"{surface.MinOffset.Value:.6g} to {surface.MaxOffset.Value:.6g} mm",
     )

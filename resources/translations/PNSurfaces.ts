@@ -48,6 +48,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Edges through the centres of the sections</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Edges through the centres of the spheres</source>
             <translation type="unfinished" />
         </message>
@@ -60,6 +64,14 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Half-axes to the side at the positions, in mm</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Half-axes upwards at the positions, in mm</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Half-axis a, along x</source>
             <translation type="unfinished" />
         </message>
@@ -69,6 +81,30 @@
         </message>
         <message>
             <source>Half-axis c, along z; of a paraboloid its height at x = a</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Half-axis to the side at the end</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Half-axis to the side by the position s and the length L of the spine, such as 20 mm + 5 mm * cos(pi*s)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Half-axis to the side, everywhere or at the start</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Half-axis upwards at the end</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Half-axis upwards by the position s and the length L of the spine, such as 10 mm * exp(s)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Half-axis upwards, everywhere or at the start</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -85,6 +121,10 @@
         </message>
         <message>
             <source>How the ends of a solid are closed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>How the half-axes run along the spine</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -121,6 +161,10 @@
         </message>
         <message>
             <source>Open surfaces, or a solid with closed ends</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Positions of the half-axes on the spine, arc lengths in mm</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -181,6 +225,14 @@
         </message>
         <message>
             <source>Smooth faces with even parameter lines, or the lowest degree</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The direction that parallel sections are perpendicular to</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The direction upwards: the height of a section runs along it, as far as its plane allows</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -253,6 +305,10 @@
         </message>
         <message>
             <source>Whether only rounding to doubles deviates</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Whether sections are perpendicular to the spine or parallel to one another</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -473,6 +529,105 @@
         </message>
     </context>
     <context>
+        <name>MovingConicSection</name>
+        <message>
+            <source>10 mm * exp(s)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>20 mm + 5 mm * cos(pi*s)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Add</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Adds a row below the current one</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Fit within</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Half-axes</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Moving conic section</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Normal</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Paste</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Planes</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Position by</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Removes the current row</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Replaces the rows by those copied from a spreadsheet (Ctrl+V pastes at the current row)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Side at end</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Spine</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Takes the selected edges, wire or sketch as the spine</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The curve through the centres of the sections</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>To the side</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Up</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Up at end</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Upwards</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Use selection</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>mm</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
         <name>Offset</name>
         <message>
             <source>Caps</source>
@@ -503,6 +658,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>These surfaces have no exact offsets: their unit normals are not rational.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>mm</source>
             <translation type="unfinished" />
         </message>
@@ -523,6 +682,10 @@
         </message>
         <message>
             <source>A dish that light falls on obliquely, and the wavefronts on their way to the focus: exact offsets of each other.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>A duct from a flat opening to a round pipe, around a bend: true ellipses along a spine.</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -622,6 +785,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Duct</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Edit {}</source>
             <translation type="unfinished" />
         </message>
@@ -710,6 +877,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Moving conic section</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>No</source>
             <translation type="unfinished" />
         </message>
@@ -746,6 +917,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Output</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>PN Surfaces: documentation</source>
             <translation type="unfinished" />
         </message>
@@ -763,6 +938,10 @@
         </message>
         <message>
             <source>Parameter</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Perpendicular</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -882,6 +1061,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>To the side</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Twisted blade</source>
             <translation type="unfinished" />
         </message>
@@ -895,6 +1078,10 @@
         </message>
         <message>
             <source>Typed below</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Upwards</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -1147,6 +1334,17 @@
         </message>
         <message>
             <source>Mirror Wavefront…</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>PNSurfaces_MovingConicSection</name>
+        <message>
+            <source>Creates the exact surface of ellipses along a spine, whose half-axes change</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Moving Conic Section…</source>
             <translation type="unfinished" />
         </message>
     </context>

@@ -48,6 +48,10 @@
             <translation>Kanten, durch die das Rohr verläuft</translation>
         </message>
         <message>
+            <source>Edges through the centres of the sections</source>
+            <translation>Kanten durch die Mitten der Schnitte</translation>
+        </message>
+        <message>
             <source>Edges through the centres of the spheres</source>
             <translation>Kanten durch die Mittelpunkte der Kugeln</translation>
         </message>
@@ -60,6 +64,14 @@
             <translation>Geschätzter Fehler des Volumens</translation>
         </message>
         <message>
+            <source>Half-axes to the side at the positions, in mm</source>
+            <translation>Halbachsen zur Seite an den Positionen, in mm</translation>
+        </message>
+        <message>
+            <source>Half-axes upwards at the positions, in mm</source>
+            <translation>Halbachsen nach oben an den Positionen, in mm</translation>
+        </message>
+        <message>
             <source>Half-axis a, along x</source>
             <translation>Halbachse a, entlang x</translation>
         </message>
@@ -70,6 +82,30 @@
         <message>
             <source>Half-axis c, along z; of a paraboloid its height at x = a</source>
             <translation>Halbachse c, entlang z; beim Paraboloid seine Höhe bei x = a</translation>
+        </message>
+        <message>
+            <source>Half-axis to the side at the end</source>
+            <translation>Halbachse zur Seite am Ende</translation>
+        </message>
+        <message>
+            <source>Half-axis to the side by the position s and the length L of the spine, such as 20 mm + 5 mm * cos(pi*s)</source>
+            <translation>Halbachse zur Seite aus der Position s und der Länge L der Leitkurve, etwa 20 mm + 5 mm * cos(pi*s)</translation>
+        </message>
+        <message>
+            <source>Half-axis to the side, everywhere or at the start</source>
+            <translation>Halbachse zur Seite, überall oder am Anfang</translation>
+        </message>
+        <message>
+            <source>Half-axis upwards at the end</source>
+            <translation>Halbachse nach oben am Ende</translation>
+        </message>
+        <message>
+            <source>Half-axis upwards by the position s and the length L of the spine, such as 10 mm * exp(s)</source>
+            <translation>Halbachse nach oben aus der Position s und der Länge L der Leitkurve, etwa 10 mm * exp(s)</translation>
+        </message>
+        <message>
+            <source>Half-axis upwards, everywhere or at the start</source>
+            <translation>Halbachse nach oben, überall oder am Anfang</translation>
         </message>
         <message>
             <source>How far a fit may be from what has no exact form</source>
@@ -86,6 +122,10 @@
         <message>
             <source>How the ends of a solid are closed</source>
             <translation>Wie die Enden eines Volumenkörpers geschlossen werden</translation>
+        </message>
+        <message>
+            <source>How the half-axes run along the spine</source>
+            <translation>Wie die Halbachsen entlang der Leitkurve verlaufen</translation>
         </message>
         <message>
             <source>How the radius runs along the spine</source>
@@ -122,6 +162,10 @@
         <message>
             <source>Open surfaces, or a solid with closed ends</source>
             <translation>Offene Flächen, oder ein Volumenkörper mit geschlossenen Enden</translation>
+        </message>
+        <message>
+            <source>Positions of the half-axes on the spine, arc lengths in mm</source>
+            <translation>Positionen der Halbachsen auf der Leitkurve, Bogenlängen in mm</translation>
         </message>
         <message>
             <source>Positions of the radii on the spine, arc lengths in mm</source>
@@ -182,6 +226,14 @@
         <message>
             <source>Smooth faces with even parameter lines, or the lowest degree</source>
             <translation>Glatte Flächen mit gleichmäßigen Parameterlinien, oder der kleinste Grad</translation>
+        </message>
+        <message>
+            <source>The direction that parallel sections are perpendicular to</source>
+            <translation>Die Richtung, zu der parallele Schnitte senkrecht sind</translation>
+        </message>
+        <message>
+            <source>The direction upwards: the height of a section runs along it, as far as its plane allows</source>
+            <translation>Die Richtung nach oben: entlang dieser läuft die Höhe eines Schnitts, soweit seine Ebene es erlaubt</translation>
         </message>
         <message>
             <source>The kind of quadric, in standard position</source>
@@ -254,6 +306,10 @@
         <message>
             <source>Whether only rounding to doubles deviates</source>
             <translation>Ob nur die Rundung auf Gleitkommazahlen abweicht</translation>
+        </message>
+        <message>
+            <source>Whether sections are perpendicular to the spine or parallel to one another</source>
+            <translation>Ob Schnitte senkrecht zur Leitkurve oder parallel zueinander sind</translation>
         </message>
         <message>
             <source>Whether the light is parallel or comes from a point</source>
@@ -473,6 +529,105 @@
         </message>
     </context>
     <context>
+        <name>MovingConicSection</name>
+        <message>
+            <source>10 mm * exp(s)</source>
+            <translation>10 mm * exp(s)</translation>
+        </message>
+        <message>
+            <source>20 mm + 5 mm * cos(pi*s)</source>
+            <translation>20 mm + 5 mm * cos(pi*s)</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>Hinzufügen</translation>
+        </message>
+        <message>
+            <source>Adds a row below the current one</source>
+            <translation>Fügt unter der aktuellen Zeile eine Zeile ein</translation>
+        </message>
+        <message>
+            <source>Fit within</source>
+            <translation>Angenähert auf</translation>
+        </message>
+        <message>
+            <source>Half-axes</source>
+            <translation>Halbachsen</translation>
+        </message>
+        <message>
+            <source>Moving conic section</source>
+            <translation>Bewegter Kegelschnitt</translation>
+        </message>
+        <message>
+            <source>Normal</source>
+            <translation>Normale</translation>
+        </message>
+        <message>
+            <source>Paste</source>
+            <translation>Einfügen</translation>
+        </message>
+        <message>
+            <source>Planes</source>
+            <translation>Ebenen</translation>
+        </message>
+        <message>
+            <source>Position by</source>
+            <translation>Position nach</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Entfernen</translation>
+        </message>
+        <message>
+            <source>Removes the current row</source>
+            <translation>Entfernt die aktuelle Zeile</translation>
+        </message>
+        <message>
+            <source>Replaces the rows by those copied from a spreadsheet (Ctrl+V pastes at the current row)</source>
+            <translation>Ersetzt die Zeilen durch die aus einer Tabellenkalkulation kopierten (Strg+V fügt bei der aktuellen Zeile ein)</translation>
+        </message>
+        <message>
+            <source>Side at end</source>
+            <translation>Seite am Ende</translation>
+        </message>
+        <message>
+            <source>Spine</source>
+            <translation>Leitkurve</translation>
+        </message>
+        <message>
+            <source>Takes the selected edges, wire or sketch as the spine</source>
+            <translation>Nimmt die ausgewählten Kanten, den Kantenzug oder die Skizze als Leitkurve</translation>
+        </message>
+        <message>
+            <source>The curve through the centres of the sections</source>
+            <translation>Die Kurve durch die Mitten der Schnitte</translation>
+        </message>
+        <message>
+            <source>To the side</source>
+            <translation>Zur Seite</translation>
+        </message>
+        <message>
+            <source>Up</source>
+            <translation>Oben</translation>
+        </message>
+        <message>
+            <source>Up at end</source>
+            <translation>Höhe am Ende</translation>
+        </message>
+        <message>
+            <source>Upwards</source>
+            <translation>Nach oben</translation>
+        </message>
+        <message>
+            <source>Use selection</source>
+            <translation>Auswahl übernehmen</translation>
+        </message>
+        <message>
+            <source>mm</source>
+            <translation>mm</translation>
+        </message>
+    </context>
+    <context>
         <name>Offset</name>
         <message>
             <source>Caps</source>
@@ -503,6 +658,10 @@
             <translation>Seiten</translation>
         </message>
         <message>
+            <source>These surfaces have no exact offsets: their unit normals are not rational.</source>
+            <translation>Diese Flächen haben keine exakten Versatzflächen: ihre Einheitsnormalen sind nicht rational.</translation>
+        </message>
+        <message>
             <source>mm</source>
             <translation>mm</translation>
         </message>
@@ -524,6 +683,10 @@
         <message>
             <source>A dish that light falls on obliquely, and the wavefronts on their way to the focus: exact offsets of each other.</source>
             <translation>Eine Schale, auf die Licht schräg fällt, und die Wellenfronten auf dem Weg zum Brennpunkt: exakte Versätze voneinander.</translation>
+        </message>
+        <message>
+            <source>A duct from a flat opening to a round pipe, around a bend: true ellipses along a spine.</source>
+            <translation>Ein Luftkanal von einer flachen Öffnung zu einem runden Rohr, um eine Biegung: wahre Ellipsen entlang einer Leitkurve.</translation>
         </message>
         <message>
             <source>A hollow hose between two fittings: a table of radii by arc length, and a bore of one radius.</source>
@@ -622,6 +785,10 @@
             <translation>Kuppel</translation>
         </message>
         <message>
+            <source>Duct</source>
+            <translation>Luftkanal</translation>
+        </message>
+        <message>
             <source>Edit {}</source>
             <translation>{} bearbeiten</translation>
         </message>
@@ -710,6 +877,10 @@
             <translation>Mehr: Menü PN Surfaces, Dokumentation, Seite {}.</translation>
         </message>
         <message>
+            <source>Moving conic section</source>
+            <translation>Bewegter Kegelschnitt</translation>
+        </message>
+        <message>
             <source>No</source>
             <translation>Nein</translation>
         </message>
@@ -746,6 +917,10 @@
             <translation>Äußere Hautfläche</translation>
         </message>
         <message>
+            <source>Output</source>
+            <translation>Ausgabe</translation>
+        </message>
+        <message>
             <source>PN Surfaces: documentation</source>
             <translation>PN Surfaces: Dokumentation</translation>
         </message>
@@ -764,6 +939,10 @@
         <message>
             <source>Parameter</source>
             <translation>Parameter</translation>
+        </message>
+        <message>
+            <source>Perpendicular</source>
+            <translation>Senkrecht</translation>
         </message>
         <message>
             <source>Position</source>
@@ -882,6 +1061,10 @@
             <translation>Die Wand eines einschaligen Hyperboloids, vom Fuß bis zum Rand gleich dick.</translation>
         </message>
         <message>
+            <source>To the side</source>
+            <translation>Zur Seite</translation>
+        </message>
+        <message>
             <source>Twisted blade</source>
             <translation>Verwundene Schaufel</translation>
         </message>
@@ -896,6 +1079,10 @@
         <message>
             <source>Typed below</source>
             <translation>Unten eingegeben</translation>
+        </message>
+        <message>
+            <source>Upwards</source>
+            <translation>Nach oben</translation>
         </message>
         <message>
             <source>Valid</source>
@@ -1148,6 +1335,17 @@
         <message>
             <source>Mirror Wavefront…</source>
             <translation>Wellenfront eines Spiegels…</translation>
+        </message>
+    </context>
+    <context>
+        <name>PNSurfaces_MovingConicSection</name>
+        <message>
+            <source>Creates the exact surface of ellipses along a spine, whose half-axes change</source>
+            <translation>Erzeugt die exakte Fläche von Ellipsen entlang einer Leitkurve, deren Halbachsen sich ändern</translation>
+        </message>
+        <message>
+            <source>Moving Conic Section…</source>
+            <translation>Bewegter Kegelschnitt…</translation>
         </message>
     </context>
     <context>

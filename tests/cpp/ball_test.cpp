@@ -193,10 +193,20 @@ TEST_CASE("A ball rounds to a double when it is narrower than its last place", "
     if (const auto nearest = ball.rounded()) {
       CHECK(std::abs(1.5 + width - *nearest) <= 0x1p-52);
       CHECK(std::abs(1.5 - *nearest) <= 0x1p-52);
+      CHECK(ball.rounding_error() >= std::max(std::abs(1.5 + width - *nearest), *nearest - 1.5));
+      CHECK(ball.rounding_error() <= 0x1.001p-52);
     } else {
       CHECK(width > 0x1p-53);
     }
   }
+}
+
+TEST_CASE("The error of a rounded ball is half a unit in the last place and the radius", "[ball]") {
+  const RealBall third(Rational(1L) / Rational(3L), 128), difference = third - RealBall(1 / 3.0);
+  CHECK(third.rounding_error() >= difference.magnitude_upper());
+  CHECK(third.rounding_error() <= 0x1.001p-55);
+  CHECK(RealBall(0).rounding_error() <= 0x1p-1073);
+  CHECK(RealBall::between(-0x1p-200, 0x1p-200, 128).rounding_error() >= 0x1p-200);
 }
 
 TEST_CASE("Homogeneous coordinates beyond all doubles are made fit for them", "[ball]") {

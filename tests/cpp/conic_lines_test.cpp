@@ -15,11 +15,11 @@ namespace {
 RationalPolynomial poly(const std::vector<long>& c) { return conic_polynomial(c); }
 
 std::shared_ptr<const ConicPoints> points(const MovingConic& conic) {
-  return std::make_shared<const ConicPoints>(conic);
+  return std::make_shared<const ConicPoints>(ConicSpan{conic, {}});
 }
 
 /// Two spans; the matrices of the second are three times as large where they meet.
-EllipseChain two_spans() {
+ConicChain two_spans() {
   const RationalPolynomial aa = poly({6, 1}), bb = poly({4, 0, 2});
   return {{points(upright(ellipse(poly({2, 1, 3}), poly({5, -2, 1})))),
            points(upright(diagonal(-3L * aa * bb, 3L * bb, 3L * aa), 1))},
@@ -80,4 +80,18 @@ TEST_CASE("A closed surface without room for its last lines is refused", "[conic
   CHECK(code_of([&] {
           lined_segments({{conic}, true}, Lines::kEven, 128);
         }) == ErrorCode::kDegreeTooHigh);
+}
+
+TEST_CASE("The band of arcs holds them", "[conic_lines]") {
+  // Circles of radius 1 cut by a line that turns.
+  const auto conic = std::make_shared<const ConicPoints>(ConicSpan{
+      upright(diagonal(-1L, 1L, 1L)), Vector3<RationalPolynomial>{0L, poly({0, 2}), poly({1})}});
+  for (const ConicSegment& segment : lined_segments({{conic}, false}, Lines::kEven, 128)) {
+    CHECK(segment.around == Around::kArc);
+    for (const double t : {0.0, 0.3, 0.9, 1.0}) {
+      CHECK(value(segment.cut, t, 1.0, 0.0) < 0);
+      CHECK(value(segment.cut, t, 0.0, 1.0) < 0);
+      CHECK(value(segment.cut, t, 1.0, 1.0) > 0);
+    }
+  }
 }

@@ -13,21 +13,22 @@ namespace {
 
 RationalPolynomial poly(const std::vector<long>& c) { return conic_polynomial(c); }
 
-HomogeneousConic<double> estimate(const MovingConic& conic) {
-  return midpoint(ConicPoints(conic)(128));
+ConicForms<double> estimate(const MovingConic& conic) {
+  return midpoint(ConicPoints({conic, {}})(128));
 }
 
-Eigen::Matrix2d weight(const HomogeneousConic<double>& x, double t) {
+Eigen::Matrix2d weight(const ConicForms<double>& x, double t) {
   Eigen::Matrix2d result;
-  const auto& c = x[3].coefficient;
+  const auto& c = x.point[3].coefficient;
   result << c[0](t), c[1](t), c[1](t), c[2](t);
   return result;
 }
 
-Eigen::Vector3d point(const HomogeneousConic<double>& x, double t, const Eigen::Vector2d& u) {
+Eigen::Vector3d point(const ConicForms<double>& x, double t, const Eigen::Vector2d& u) {
   Eigen::Vector3d result;
-  for (int c = 0; c < 3; ++c) result[c] = value(x[static_cast<std::size_t>(c)], t, u[0], u[1]);
-  return result / value(x[3], t, u[0], u[1]);
+  for (int c = 0; c < 3; ++c)
+    result[c] = value(x.point[static_cast<std::size_t>(c)], t, u[0], u[1]);
+  return result / value(x.point[3], t, u[0], u[1]);
 }
 
 /// Ellipses in planes through the z-axis from angle 90 i to 90 (i + 1) degrees.
@@ -68,7 +69,7 @@ TEST_CASE("The lines turn with the circles and not around them", "[conic_seam]")
 }
 
 TEST_CASE("Around a closed surface the seam closes", "[conic_seam]") {
-  std::vector<HomogeneousConic<double>> spans;
+  std::vector<ConicForms<double>> spans;
   for (int i = 0; i < 4; ++i) spans.push_back(estimate(quarter(i, ellipse(4L, 1L))));
   const ConicSeam seam(spans, true);
   for (const Eigen::Vector2d& u : {Eigen::Vector2d(1, 0), Eigen::Vector2d(0.3, 2)}) {
@@ -78,5 +79,26 @@ TEST_CASE("Around a closed surface the seam closes", "[conic_seam]") {
       CHECK((point(spans[i - 1], 1, seam.at(i - 1, 1) * u) - point(spans[i], 0, seam.at(i, 0) * u))
                 .norm() < 1e-12);
     }
+  }
+}
+
+TEST_CASE("The lines of arcs end where the arcs do, and beyond by the margin", "[conic_seam]") {
+  // Ellipses, parabolas and hyperbolas x^2 + (1/2 - t) y^2 = y below y = 1.
+  Conic conic = diagonal(0L, 2L, poly({1, -2}));
+  conic[0][2] = conic[2][0] = -1L;
+  const auto x =
+      midpoint(ConicPoints({upright(conic), Vector3<RationalPolynomial>{1L, 0L, -1L}})(128));
+  const ArcLines at_ends({x}, 0), beyond({x}, 0.1);
+  for (const double t : {0.0, 0.4, 0.5, 0.8, 1.0}) {
+    const Eigen::Matrix2d f = at_ends.at(0, t), wide = beyond.at(0, t);
+    for (int k = 0; k < 2; ++k) {
+      CHECK(point(x, t, f.col(k))[1] == Approx(1).epsilon(1e-12));
+      CHECK(point(x, t, wide.col(k))[1] > 1);
+    }
+    CHECK(point(x, t, f * Eigen::Vector2d(1, 1))[1] < 1);
+    // The weights are 1, l k, 1.
+    const Eigen::Matrix2d weights = f.transpose() * weight(x, t) * f;
+    CHECK(weights(0, 0) == Approx(1).epsilon(1e-12));
+    CHECK(weights(1, 1) == Approx(1).epsilon(1e-12));
   }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "circle_spine.hpp"
+#include "pn/bezier/conic_points.hpp"
 #include "pn/geometry_error.hpp"
 
 using namespace pn;
@@ -244,4 +245,18 @@ TEST_CASE("A direction upwards in the plane of the spine may meet the tangent", 
   // The side is the normal of the plane wherever the spine turns to.
   const auto spans = moving_conic_section(circle(20), {{1, 0, 0}, {}}, constant_axes(5, 3));
   CHECK(spans.size() == 4);
+}
+
+TEST_CASE("Numbers of many spans, too long for doubles, give surfaces as those of one do",
+          "[conic_section]") {
+  const BSplineData<3> data{
+      3,
+      {0, 0.2, 0.5, 0.7, 1},
+      {4, 1, 1, 1, 4},
+      {{0, 0, 0}, {10, 3, 1}, {22, -4, 5}, {30, 6, 9}, {41, 12, 4}, {50, 10, 0}, {61, 15, 3}},
+      {}};
+  const auto spans =
+      moving_conic_section(Curve::bspline(data), {{0, 0, 1}, {}}, constant_axes(3, 1.5));
+  REQUIRE(spans.size() == 4);
+  for (const ConicSpan& span : spans) CHECK(ConicPoints(span.conic).degree() == 9);
 }

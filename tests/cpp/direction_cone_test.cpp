@@ -72,3 +72,25 @@ TEST_CASE("Independent cones have no parallel directions, and others have", "[di
   CHECK_FALSE(are_independent({{1, 0, 0}, 0.3}, {{-1, 0.2, 0}, 0.3}));
   CHECK_FALSE(are_independent({{1, 0, 0}, 1.6}, {{0, 1, 0}, -0.1}));
 }
+
+TEST_CASE("The cone of cross products contains them", "[direction_cone]") {
+  Directions random;
+  int found = 0;
+  for (int round = 0; round < 400; ++round) {
+    const DirectionCone a = random.cone(0.5), b = random.cone(0.5);
+    const auto cone = cross_cone(a, b);
+    if (!cone) continue;
+    ++found;
+    CHECK(are_independent(a, b));
+    for (int i = 0; i < 50; ++i) {
+      const Vector3d normal = random.in(a).cross(random.in(b));
+      CHECK(angle_between(normal, cone->axis) <= cone->half_angle + 1e-12);
+    }
+  }
+  CHECK(found > 50);
+  // It is no larger than needed: for one of the directions fixed the bound is reached.
+  const auto thin = cross_cone({{1, 0, 0}, 0.3}, {{0, 1, 0}, 0});
+  CHECK(thin->half_angle == Approx(0.3));
+  CHECK(angle_between(thin->axis, Vector3d(0, 0, 1)) < 1e-15);
+  CHECK_FALSE(cross_cone({{1, 0, 0}, 0.8}, {{0, 1, 0}, 0.8}));
+}

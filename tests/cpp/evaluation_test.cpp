@@ -104,3 +104,24 @@ TEST_CASE("An evaluation of many points is that of each", "[evaluation]") {
   const pn::SurfaceEvaluation evaluation(s);
   for (const double u : {-1.0, 0.7, 3.0}) CHECK(evaluation(u, 2.5) == evaluate(s, u, 2.5));
 }
+
+TEST_CASE("The normal is the product of the derivatives", "[evaluation]") {
+  const BSplineSurface s = surface();
+  const pn::SurfaceEvaluation evaluation(s);
+  constexpr double kStep = 1e-5;
+  const auto at = [&](double u, double v) { return Eigen::Vector3d(evaluation(u, v).data()); };
+  for (const double u : {-0.7, 0.3, 1.2, 2.4}) {
+    for (const double v : {0.4, 1.7, 3.1}) {
+      const Eigen::Vector3d along = at(u + kStep, v) - at(u - kStep, v),
+                            across = at(u, v + kStep) - at(u, v - kStep);
+      const Eigen::Vector3d expected = along.cross(across) / (4 * kStep * kStep);
+      CHECK((Eigen::Vector3d(evaluation.normal(u, v).data()) - expected).norm() <
+            1e-7 * expected.norm());
+    }
+  }
+  // One-sided at the ends.
+  const Eigen::Vector3d along = at(-1 + kStep, 0) - at(-1, 0), across = at(-1, kStep) - at(-1, 0);
+  const Eigen::Vector3d expected = along.cross(across) / (kStep * kStep);
+  CHECK((Eigen::Vector3d(evaluation.normal(-1, 0).data()) - expected).norm() <
+        1e-3 * expected.norm());
+}

@@ -50,6 +50,23 @@ TEST_CASE("Families that are real on the interval only get a quadratic substitut
   CHECK(checked(circles_of_squared_radius({1, 999}), kZero, kOne).degree == 2);
 }
 
+TEST_CASE("An irrational zero just outside the interval is left out, and dt/ds stays positive",
+          "[interval_substitution]") {
+  for (const double gap : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    INFO("gap " << gap);
+    // The circles end at the square root of 1 + gap.
+    const Rational square = kOne + Rational::exactly(gap);
+    const ConicFamily family =
+        conic_family(diagonal(1L, 1L, RationalPolynomial({-square, kZero, kOne})));
+    const IntervalSubstitution t = checked(family, -kOne, kOne);
+    CHECK(t.degree == 2);
+    for (const Rational& s : {kZero, kHalf, kOne}) {
+      CHECK((t.numerator.derivative() * t.denominator - t.numerator * t.denominator.derivative())(s)
+                .sign() > 0);
+    }
+  }
+}
+
 TEST_CASE("The conics may end exactly at the ends of the interval", "[interval_substitution]") {
   CHECK(checked(circles_of_squared_radius({0, 1}), kZero, kOne).degree == 2);
   CHECK(checked(circles_of_squared_radius({0, 1, -1}), kZero, kOne).degree == 2);
@@ -64,6 +81,12 @@ TEST_CASE("Intervals with conics without real points are refused", "[interval_su
   CHECK(refused({-1, 2}));
   CHECK(refused({-1}));
   CHECK(refused({1, -6, 6}));
+  // A zero beyond the end by 2^-80 of the interval, closer than any r2 is tried.
+  Rational gap(1);
+  for (int i = 0; i < 80; ++i) gap *= kHalf;
+  const auto too_close = conic_family(diagonal(1L, 1L, -RationalPolynomial({kOne + gap, -kOne})));
+  CHECK(code_of([&] { interval_substitution(too_close, kZero, kOne); }) ==
+        ErrorCode::kNoRealPoints);
 }
 
 TEST_CASE("A substituted polynomial is the polynomial of the substituted parameter",

@@ -23,7 +23,7 @@ Conic with_curved_lines(int p) {
 
 RationalSteps steps_leaving_lines(const ConicFamily& family) {
   const auto first = [](const RationalLattice&, const RationalLattice&) { return 0; };
-  return rational_steps(family, singular_conics(family), first, MultipleIrrational::kLeave);
+  return rational_steps(family, singular_conics(family), first, Leave::kEveryChoice);
 }
 
 /// x^T C x at (t, u).

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "conic_families.hpp"
+#include "cone_families.hpp"
 #include "error_code.hpp"
 #include "pn/conics/interval_substitution.hpp"
 #include "pn/conics/rational_conic_family.hpp"
@@ -13,36 +13,12 @@ using namespace pn::test;
 
 namespace {
 
-using Matrix4 = std::array<Vector4OfPolynomials, 4>;
+using Matrix4 = Matrix4OfPolynomials;
 
 RationalPolynomial poly(const std::vector<long>& c) { return conic_polynomial(c); }
 
 Vector3<int> degrees(const std::array<Vector3<RationalPolynomial>, 4>& frame) {
   return family_of({frame, diagonal(1L, 1L, -poly({1}))}).degree;
-}
-
-/// M^T D M
-Matrix4 transformed(const Matrix4& d, const Matrix4& m) {
-  Matrix4 result;
-  for (std::size_t a = 0; a < 4; ++a) {
-    for (std::size_t b = 0; b < 4; ++b) {
-      for (std::size_t i = 0; i < 4; ++i) {
-        for (std::size_t j = 0; j < 4; ++j) result[a][b] += m[i][a] * d[i][j] * m[j][b];
-      }
-    }
-  }
-  return result;
-}
-
-/// The example of the dissertation, 1.5, in its own order of coordinates.
-Matrix4 conics_of_the_dissertation() {
-  const RationalPolynomial zero, p = poly({1, 0, 1}), q = poly({1, 0, -2, 0, 1});
-  const Matrix4 base = {{{1L, 0L, 2L, 0L}, {0L, -poly({1}), 0L, 0L}, {2L, 0L, 3L, 0L}, {}}};
-  const Matrix4 m = {{{p, p, zero, poly({0, 1}) * p},
-                      {zero, p, zero, zero},
-                      {zero, zero, q, poly({0, -2})},
-                      {zero, zero, poly({0, 2}), q}}};
-  return transformed(base, m);
 }
 
 }  // namespace
@@ -83,7 +59,7 @@ TEST_CASE("Points of conics given by their tangent planes", "[moving_conic]") {
   const Matrix4 circle = {{{4L, 0L, 0L, 0L}, {0L, 4L, 0L, 0L}, {}, {0L, 0L, 0L, -poly({1})}}};
   const Matrix4 back = {
       {{1L, 0L, 0L, 0L}, {0L, 1L, 0L, 0L}, {0L, 0L, 1L, 0L}, {zero, zero, t, 1L}}};
-  const MovingConic conic = conic_of_tangent_planes(transformed(circle, back));
+  const MovingConic conic = conic_of_tangent_planes(congruent(circle, back));
   const RationalConicFamily points(family_of(conic));
   CHECK(points.least_degree() == 1);
   const QuadraticPoints y = points.points(128);

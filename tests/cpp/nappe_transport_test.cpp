@@ -16,7 +16,7 @@ int parity(const ConicFamily& family) {
   const SingularConics singular = singular_conics(family);
   const auto first = [](const RationalLattice&, const RationalLattice&) { return 0; };
   const RationalSteps steps =
-      rational_steps(family, {{}, singular.at_infinity}, first, MultipleIrrational::kTakeBoth);
+      rational_steps(family, {{}, singular.at_infinity}, first, Leave::kOddIrrational);
   return parity_of_splitting(steps.lattice, least_degree(family, singular));
 }
 

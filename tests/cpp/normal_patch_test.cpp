@@ -133,3 +133,27 @@ TEST_CASE("Lengths and turns are at least those of the lines", "[normal_patch]")
     CHECK(kPatch.turn(variable) < 2 * turn);
   }
 }
+
+TEST_CASE("Normals of derivatives are the rational ones, and in their cones", "[normal_patch]") {
+  const auto [surface, normal] = horn();
+  const auto rational = normal_patches(surface, normal), own = normal_patches(surface);
+  REQUIRE(own.size() == rational.size());
+  int cones = 0;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    for (const auto& [s, t] : grid(4)) {
+      const Vector3d n = own[k].at(s, t).normal;
+      CHECK((n - rational[k].at(s, t).normal).norm() < 1e-10);
+    }
+    // A small part, whose tangents are in narrow cones.
+    NormalPatch part = own[k];
+    for (int i = 0; i < 4; ++i) part = part.halved(Variable::kU)[0].halved(Variable::kV)[1];
+    const auto cone = part.normal_cone();
+    if (!cone) continue;
+    ++cones;
+    for (const auto& [s, t] : grid(4)) {
+      CHECK(std::acos(std::min(1.0, cone->axis.dot(part.at(s, t).normal))) <=
+            cone->half_angle + 1e-12);
+    }
+  }
+  CHECK(cones == static_cast<int>(own.size()));
+}

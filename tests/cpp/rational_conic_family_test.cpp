@@ -2,6 +2,7 @@
 // PN_TEST_SCALE multiplies the number of random families.
 #include "pn/conics/rational_conic_family.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "conic_families.hpp"
@@ -108,7 +109,53 @@ RationalConicFamily checked(const Conic& matrix) {
   return conics;
 }
 
+/// a = 0 for one of the choices at all single zeros, each tried; nothing where they are many.
+std::optional<bool> some_choice_is_balanced(const ConicFamily& family) {
+  constexpr int kMostChoices = 64;
+  constexpr long kBits = 512;
+  const auto first = [](const RationalLattice&, const RationalLattice&) { return 0; };
+  const RationalSteps steps =
+      rational_steps(family, singular_conics(family), first, Leave::kEveryChoice);
+  const LineConditions conditions(steps, line_pairs(steps, kBits), kBits);
+  int count = 1;
+  for (const LinePair& pair : conditions.pairs()) count *= pair.multiplicity + 1;
+  if (conditions.pairs().empty() || count > kMostChoices) return std::nullopt;
+  for (int number = 0; number < count; ++number) {
+    LineChoice choice;
+    int rest = number;
+    for (const LinePair& pair : conditions.pairs()) {
+      choice.push_back(rest % (pair.multiplicity + 1));
+      rest /= pair.multiplicity + 1;
+    }
+    if (conditions.balanced_points(choice)) return true;
+  }
+  return false;
+}
+
 RationalPolynomial poly(const std::vector<long>& c) { return conic_polynomial(c); }
+
+/// Of Y^2 + k c^2 W^2 - 2 f W P, checked; all types are (0, 2), and P is a point, so m = h and a =
+/// h before any choice, with h the degree of f and c.
+RationalConicFamily checked_with_double_zeros(long k, const RationalPolynomial& f,
+                                              const RationalPolynomial& c) {
+  const RationalPolynomial zero, factor(k);
+  const ConicFamily family = conic_family(
+      {{{1L, zero, zero}, {zero, factor * c * c, -f}, {zero, -f, zero}}}, {0, f.degree(), 0});
+  RationalConicFamily conics(family);
+  check_identity(family, conics);
+  CHECK(conics.least_degree() == f.degree());
+  return conics;
+}
+
+/// f = (t - 1) ... (t - h), c = 7 (t + 1)^h.
+RationalConicFamily checked_with_double_zeros(long k, int h) {
+  RationalPolynomial f(1L), c(7L);
+  for (int i = 1; i <= h; ++i) {
+    f *= poly({-i, 1});
+    c *= poly({1, 1});
+  }
+  return checked_with_double_zeros(k, f, c);
+}
 
 }  // namespace
 
@@ -124,32 +171,107 @@ TEST_CASE("The families of the paper have the degree of the theorem", "[rational
 
 TEST_CASE("Y^2 + c^2 W^2 - 2 f W P with real zeros of f has degree 2 h and is rational",
           "[rational_conic_family]") {
-  RationalPolynomial f(1L), c(7L);
   for (int h = 1; h <= 5; ++h) {
-    INFO("h = " << h);
-    f *= poly({-h, 1});
-    c *= poly({1, 1});
-    const RationalPolynomial zero;
-    const ConicFamily family =
-        conic_family({{{1L, zero, zero}, {zero, c * c, -f}, {zero, -f, zero}}}, {0, h, 0});
-    const RationalConicFamily conics(family);
-    check_identity(family, conics);
-    CHECK(conics.least_degree() == h);
+    const RationalConicFamily conics = checked_with_double_zeros(1, h);
     CHECK(conics.degree() == 2 * h);
     CHECK(conics.rational_points().has_value());
   }
 }
 
+TEST_CASE("Y^2 - 2 c^2 W^2 - 2 f W P has degree h by one irrational line at each double zero of f",
+          "[rational_conic_family]") {
+  for (int h = 1; h <= 5; ++h) {
+    const RationalConicFamily conics = checked_with_double_zeros(-2, h);
+    CHECK(conics.degree() == h);
+    CHECK_FALSE(conics.rational_points().has_value());
+  }
+}
+
+TEST_CASE(
+    "Y^2 - c^2 W^2 - 2 f W P has degree h over Q by one rational line at each double zero of f",
+    "[rational_conic_family]") {
+  for (int h = 1; h <= 5; ++h) {
+    const RationalConicFamily conics = checked_with_double_zeros(-1, h);
+    CHECK(conics.degree() == h);
+    CHECK(conics.rational_points().has_value());
+  }
+}
+
+TEST_CASE("Two lines less q times a square: least degree over Q where q has rational zeros",
+          "[rational_conic_family]") {
+  // The intersection of l1 and l3 is a rational point, and q has two real places with real lines.
+  RandomConics random(7);
+  for (int repeat = 0; repeat < 12; ++repeat) {
+    Vector3<RationalPolynomial> l1, l2, l3;
+    for (std::size_t i = 0; i < 3; ++i) {
+      l1[i] = random.any(1), l2[i] = random.any(1), l3[i] = random.any(1);
+    }
+    const RationalPolynomial q = poly({-1 - repeat, 1}) * poly({2, 3});
+    Conic c;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        c[i][j] = l1[i] * l2[j] + l1[j] * l2[i] - q * l3[i] * l3[j];
+      }
+    }
+    INFO("family " << repeat);
+    const RationalConicFamily conics = checked(c);
+    CHECK(conics.degree() == conics.least_degree());
+    CHECK(conics.rational_points().has_value());
+  }
+}
+
+TEST_CASE("Lines at only some of the conjugate zeros give the least degree",
+          "[rational_conic_family]") {
+  const auto splitting = [](const RationalPolynomial& f, const RationalPolynomial& c) {
+    const RationalConicFamily conics = checked_with_double_zeros(-2, f, c);
+    return conics.degree() - conics.least_degree();
+  };
+  CHECK(splitting(poly({-2, 0, 1}), poly({1, 1, 3})) == 0);
+  CHECK(splitting(poly({2, 0, 1}), poly({1, 1, 3})) == 0);
+  CHECK(splitting(poly({-2, 0, 0, 1}), poly({1, 1, 3, 5})) == 0);
+  CHECK(splitting(poly({2, -4, 0, 0, 1}), poly({1, 1, 3, 5, 2})) == 0);
+}
+
 TEST_CASE("Squarefree diagonal families: degree of the ansatz, or one more with odd parity",
           "[rational_conic_family]") {
   RandomConics random(1);
-  for (int l = 1; l <= 3; ++l) {
-    for (int repeat = 0; repeat < 4; ++repeat) {
-      const auto conics =
-          checked(diagonal(random.positive(l), random.positive(l), -random.positive(l)));
-      CHECK(conics.degree() == 2 * l);
+  for (int l = 0; l <= 3; ++l) {
+    for (int m = 0; m <= 3; ++m) {
+      for (int n = 0; n <= 3; ++n) {
+        INFO("degrees " << 2 * l << ", " << 2 * m << ", " << 2 * n);
+        const auto conics =
+            checked(diagonal(random.positive(l), random.positive(m), -random.positive(n)));
+        CHECK(conics.least_degree() == std::max({l + m, m + n, n + l}));
+        // Infinity has real lines, and the parity is free, if one degree is below both others,
+        // which differ in sign.
+        const bool is_free = (l < m && l < n) || (m < l && m < n);
+        CHECK(conics.degree() - conics.least_degree() == (is_free ? 0 : (l + m) % 2));
+      }
     }
   }
+}
+
+TEST_CASE("No choice of lines gives a lower degree", "[rational_conic_family]") {
+  int irrational = 0, rational = 0, odd = 0;
+  for (int seed = 0; seed < 150; ++seed) {
+    const NamedConic conic = RandomConics(static_cast<std::uint64_t>(seed)).next();
+    INFO(conic.kind << ", seed " << seed);
+    std::optional<RationalConicFamily> conics;
+    try {
+      conics.emplace(conic_family(conic.matrix));
+    } catch (const GeometryError&) {
+      continue;
+    }
+    const ConicFamily family = conic_family(conic.matrix);
+    const std::optional<bool> balanced = some_choice_is_balanced(family);
+    if (!balanced) continue;
+    CHECK((conics->degree() == conics->least_degree()) == *balanced);
+    odd += *balanced ? 0 : 1;
+    (conics->rational_points() ? rational : irrational) += 1;
+  }
+  CHECK(irrational > 20);
+  CHECK(rational > 5);
+  CHECK(odd > 0);
 }
 
 TEST_CASE("Random families with planted zeros: points on the conics, of least degree",

@@ -8,7 +8,7 @@ kernel takes them: (k + 1, 4, 3), (h + 1, 3, 3) and (l + 1, 3) or None.
 import mpmath
 import numpy as np
 from mpmath import mpf
-from splines import exactly
+from splines import exactly, norm
 
 
 def at(coefficients, t):
@@ -36,6 +36,21 @@ def random_ellipses(random, degree):
     return conic
 
 
+def random_arcs(random, degree, kinds):
+    """Conics x^2 + k y^2 = y, moved and turned a little, and the cut y < 1, moved with them.
+
+    k runs through `kinds`: positive for ellipses, zero for parabolas, negative for hyperbolas.
+    """
+    conic, cut = np.zeros((degree + 1, 3, 3)), np.zeros((degree + 1, 3))
+    for i, k in enumerate(np.linspace(*kinds, degree + 1)):
+        moved = np.eye(3)
+        moved[1:] += random.integers(-1, 2, (2, 3)) / 16
+        moved_conic = moved.T @ np.array([[0, 0, -0.5], [0, 1, 0], [-0.5, 0, k]]) @ moved
+        conic[i] = (moved_conic + moved_conic.T) / 2  # symmetric to the last digit
+        cut[i] = np.array([1.0, 0, -1]) @ moved
+    return conic, cut
+
+
 def _plane_side(frame, t, x):
     """Zero when the point x is in the plane at t."""
     matrix = mpmath.matrix(4, 4)
@@ -59,12 +74,12 @@ def coordinates(frame, t, x):
 
 
 def residual(span, t, x):
-    """How far y^T C y is from zero, in parts of the size of its terms."""
+    """How far y^T C y is from zero, in parts of its size."""
     y, conic = coordinates(span[0], t, x), at(span[1], t)
-    size = abs(y) @ abs(conic) @ abs(y)
-    return abs(y @ conic @ y) / size
+    return abs(y @ conic @ y) / (y @ y * abs(conic).max())
 
 
-def is_on_positive_side(span, t, x, tolerance):
+def beyond_cut(span, t, x):
+    """cut . y for the point y of weight 1, in parts of the lengths of both."""
     y, cut = coordinates(span[0], t, x), at(span[2], t)
-    return cut @ y / y.max() > -tolerance * (abs(cut) @ abs(y))
+    return cut @ y / (norm(cut) * norm(y))

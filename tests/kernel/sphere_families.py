@@ -56,6 +56,12 @@ class Family:
         at_w = u * b101 + v * b011 + w * b002
         return u * at_u + v * at_v + w * at_w, 2 * (at_u - at_w), 2 * (at_v - at_w)
 
+    def second_derivatives(self):
+        """By u u, u v and v v of (m, r): three vectors (4,)."""
+        b200, b110, b020, b101, b011, b002 = self.control
+        return (2 * (b200 - 2 * b101 + b002), 2 * (b110 - b101 - b011 + b002),
+                2 * (b020 - 2 * b011 + b002))
+
     def normal(self, u, v, sign):
         """The unit normal n with n.m_u + r_u = n.m_v + r_v = 0 and the sign of n.(m_u x m_v)."""
         _, by_u, by_v = self.sphere(u, v)

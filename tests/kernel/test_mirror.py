@@ -58,9 +58,11 @@ def patch(point, weight=sympy.Integer(1)):
     """The Bezier patch over [0, 1]^2 of a point of polynomials over a weight."""
     arrays = [coefficients(x) for x in (*point, weight)]
     m, n = (max(a.shape[k] for a in arrays) for k in (0, 1))
+
     def matrix(size):
         return np.array([[comb(i, j) / comb(size - 1, j) if j <= i else 0 for j in range(size)]
                          for i in range(size)])
+
     poles = []
     for a in arrays:
         padded = np.zeros((m, n))
@@ -83,7 +85,8 @@ def random_mirror(random, m, n, is_rational):
 
 
 def bernstein_basis(degree, t):
-    return np.stack([comb(degree, i) * t**i * (1 - t) ** (degree - i) for i in range(degree + 1)], axis=-1)
+    columns = [comb(degree, i) * t**i * (1 - t) ** (degree - i) for i in range(degree + 1)]
+    return np.stack(columns, axis=-1)
 
 
 def mirror_points(mirror, u, v):
@@ -135,7 +138,8 @@ def test_light_of_a_point_obeys_the_law_of_reflection():
     incoming = x - source
     image = x - incoming + 2 * np.einsum("ni,ni->n", incoming, normal)[:, None] * normal
     assert np.abs(point - image).max() < 1e-8
-    assert np.abs(np.linalg.norm(point - x, axis=1) - np.linalg.norm(incoming, axis=1)).max() < TOLERANCE
+    lengths = [np.linalg.norm(path, axis=1) for path in (point - x, incoming)]
+    assert np.abs(lengths[0] - lengths[1]).max() < TOLERANCE
     outgoing = (x - point) / np.linalg.norm(x - point, axis=1)[:, None]
     assert np.abs(ray - outgoing).max() < TOLERANCE
     assert "not rational" in refused("not_rational", lambda: wavefront.offset(1))
@@ -217,7 +221,8 @@ def test_the_hyperboloid_reflects_light_from_its_centre_into_a_lemniscate_of_rev
 
 def test_the_anticaustic_map():
     c = sympy.Rational(5, 2)
-    p = formulas("anticaustic", c=c, **{f"{n}{i}": sympy.Symbol(f"{n}{i}") for n in "pm" for i in range(3)})
+    symbols = {f"{n}{i}": sympy.Symbol(f"{n}{i}") for n in "pm" for i in range(3)}
+    p = formulas("anticaustic", c=c, **symbols)
     by_u, by_v = derivatives(p.p)
     m = by_u.cross(by_v)
     known = {f"p{i}": p.p[i] for i in range(3)} | {f"m{i}": m[i] for i in range(3)}

@@ -1,19 +1,37 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One version in all manifests: CMake's project, FreeCAD's package.xml, the Python package."""
+"""One version, that of package.xml, in all that is built and installed, and in the changelog."""
 
 import pathlib
 import re
 import xml.etree.ElementTree as ElementTree
 
+import pnkernel
+import pnsurfaces
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+VERSION = ElementTree.parse(ROOT / "package.xml").getroot().findtext("{*}version")
 
 
-def found_in(path, pattern):
-    return re.search(pattern, (ROOT / path).read_text(encoding="utf-8")).group(1)
+def numbers(version):
+    return tuple(int(number) for number in version.split("."))
 
 
-def test_all_say_the_same():
-    package = ElementTree.parse(ROOT / "package.xml").getroot()
-    version = package.find("{https://wiki.freecad.org/Package_Metadata}version").text
-    assert found_in("CMakeLists.txt", r"project\([^)]*VERSION (\S+?)[\s)]") == version
-    assert found_in("workbench/pnsurfaces/__init__.py", r'__version__ = "(.*)"') == version
+def test_version_is_semantic():
+    assert re.fullmatch(r"\d+\.\d+\.\d+", VERSION)
+
+
+def test_kernel_has_it():
+    assert pnkernel.__version__ == VERSION
+
+
+def test_workbench_has_it():
+    assert pnsurfaces.__version__ == VERSION
+
+
+def test_changelog_ends_with_it():
+    """What is new stands under this version, or is not released yet; older versions follow."""
+    text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    headings = re.findall(r"^## \[(.*?)\]", text, re.MULTILINE)
+    assert headings[0] in ("Unreleased", VERSION)
+    released = [numbers(heading) for heading in headings if heading != "Unreleased"]
+    assert [numbers(VERSION), *released] == sorted([numbers(VERSION), *released], reverse=True)

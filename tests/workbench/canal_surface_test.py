@@ -496,5 +496,3 @@ def _poles(shape):
         for face in shape.Faces
         if isinstance(face.Surface, Part.BSplineSurface)
     ]
-
-

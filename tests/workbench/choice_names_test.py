@@ -17,8 +17,13 @@ class ChoiceNames(DocumentTest):
     def test_all_choices_have_names(self):
         offered = set()
         for proxy in (
-            CanalSurface, RuledOffset, QuadricOffset, MidSurfaceSkins, TriangulatedSkins,
-            MirrorWavefront, MovingConicSection
+            CanalSurface,
+            RuledOffset,
+            QuadricOffset,
+            MidSurfaceSkins,
+            TriangulatedSkins,
+            MirrorWavefront,
+            MovingConicSection,
         ):
             obj = self.document.addObject("Part::FeaturePython", proxy.__name__)
             proxy(obj)

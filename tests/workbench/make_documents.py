@@ -72,8 +72,15 @@ def mirror_wavefront(document):
     )
 
 
+def moving_conic_section(document):
+    spine = _bezier(document, "Spine", [(0, 0, 0), (20, 5, 0), (35, 20, 5)])
+    rows = [(0, 5, 2), (0.5, 4, 3), (1, 3, 3)]
+    return pnsurfaces.make_moving_conic_section(spine, ("Table", rows), Output="Solid")
+
+
 save(canal_surface, "canal_surface")
 save(ruled_offset, "ruled_offset")
 save(quadric_offset, "quadric_offset")
 save(mid_surface_skins, "mid_surface_skins")
 save(mirror_wavefront, "mirror_wavefront")
+save(moving_conic_section, "moving_conic_section")

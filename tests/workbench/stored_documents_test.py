@@ -39,6 +39,7 @@ class StoredDocuments(DocumentTest):
             (self._ruled_offset, "ruled_offset"),
             (self._mid_surface_skins, "mid_surface_skins"),
             (self._mirror_wavefront, "mirror_wavefront"),
+            (self._moving_conic_section, "moving_conic_section"),
         ):
             self.assertIn(f"{name}_schema_{make().SchemaVersion}", stems)
 
@@ -48,6 +49,9 @@ class StoredDocuments(DocumentTest):
     def _mirror_wavefront(self):
         mirror = self.face_object(Part.makePlane(9, 9))
         return pnsurfaces.make_mirror_wavefront(mirror, 9, direction=(0, 0, -1))
+
+    def _moving_conic_section(self):
+        return pnsurfaces.make_moving_conic_section(self.line_object(), (2, 1), up=(0, 1, 0))
 
     def _mid_surface_skins(self):
         return pnsurfaces.make_mid_surface_skins(

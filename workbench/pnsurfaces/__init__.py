@@ -8,8 +8,6 @@ its stored shapes, without it.
 
 import importlib
 
-__version__ = "0.1.0"
-
 # The functions and the modules that they are in.
 _HOMES = {
     "certificate": "certificate_report",
@@ -29,6 +27,8 @@ __all__ = list(_HOMES)
 
 
 def __getattr__(name):
+    if name == "__version__":
+        return importlib.import_module(f"{__name__}.resources").version()
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)

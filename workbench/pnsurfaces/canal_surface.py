@@ -51,6 +51,7 @@ INPUTS_OF_HOLLOW = {SOLID_PIPE: (), WALL: ("WallThickness",), BORE: ("InnerRadiu
 class HollowError(ValueError):
     """The pipe has no such wall. The text is a sentence for the user."""
 
+
 # How the ends of a solid are closed. Without caps only a wall is a solid, closed by its normals,
 # and a pipe without ends.
 CAPS = {

@@ -132,7 +132,7 @@ def _of_sections(obj, sections, compare):
         low, high = surface.regular_range
         report = {
             "distance": distance,
-            "regular": low < distance < high,
+            "regular": low < distance < high if obj.Proxy.offset_inputs else None,
             "faces": len(faces),
             "bidegree": list(proved.bidegree),
             "poles": int(proved.poles),

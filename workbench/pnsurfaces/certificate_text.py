@@ -12,6 +12,9 @@ _TITLES = {
     "TriangulatedSkins": "skins over a triangulation",
 }
 
+# What is known of them; None where there is no range of distances to look in.
+_SINGULAR_POINTS = {True: "none, proved", False: "not excluded", None: "not looked for"}
+
 
 def as_markdown(report):
     """The Markdown text of what certificate_report.certificate returned."""
@@ -67,7 +70,7 @@ def _of_section(section):
         ("Degree", _degree(section)),
         ("Faces, poles", f"{section['faces']}, {section['poles']}"),
         ("Exact", "yes" if section["exact"] else "no"),
-        ("Singular points", "none, proved" if section["regular"] else "not excluded"),
+        ("Singular points", _SINGULAR_POINTS[section["regular"]]),
         ("Cut edges", _trims(section["trim_deviation"])),
         ("Working precision", f"{section['precision_bits']} bits"),
         ("Sampled", f"{sampling['points']} points, worst {sampling['worst']:.2g} mm"

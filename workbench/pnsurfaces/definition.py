@@ -10,9 +10,9 @@ coordinates, so that a bound of 1e-14 mm on a surface of 100 mm is met, but not 
 - A ruled surface at distance d is the envelope of the cylinders of radius d about its rulings: the
   foot c of a point on its ruling has (x - c).c_t = 0.
 - A quadric at distance d has the points x with a foot p on it, q(p) = 0, x - p along grad q(p).
-- The skins of a mid-surface, also over a triangulation, at distance d are the envelope of the spheres |x - m(u, v)| = r(u, v) + d:
-  a point of it is on one sphere and outside all its neighbours, (x - m).m_u + (r + d) r_u = 0 and
-  likewise for v.
+- The skins of a mid-surface, also over a triangulation, at distance d are the envelope of the
+  spheres |x - m(u, v)| = r(u, v) + d: a point of it is on one sphere and outside all its
+  neighbours, (x - m).m_u + (r + d) r_u = 0 and likewise for v.
 - A moving conic section has the points x in the plane of a section, (x - m).m' = 0 or with a fixed
   normal for m', whose coordinates p to the side and q upwards have (p / a)^2 + (q / b)^2 = 1.
 - The wavefront of a mirror of path length d is the envelope of the spheres |x - m(u, v)| = d - s(u, v)
@@ -70,8 +70,8 @@ _NEAREST_NETS = 3
 
 
 def definition_of(obj):
-    """The definition of a feature: Spheres, Rulings, Sections, Quadric, SphereNet, SphereNets, BallNet or Huygens; None for
-    another object."""
+    """The definition of a feature: Spheres, Rulings, Sections, Quadric, SphereNet, SphereNets,
+    BallNet or Huygens; None for another object."""
     proxy = type(getattr(obj, "Proxy", None))
     return _DEFINITIONS[proxy](obj) if proxy in _DEFINITIONS else None
 
@@ -360,7 +360,9 @@ class Huygens(NamedTuple):
     mirror: Any
     light: dict
 
-    words = "spheres around the points of the mirror: distance from the centre minus the rest of the path"
+    words = (
+        "spheres around the points of the mirror: distance from the centre minus the rest of the path"
+    )
 
     def deviations(self, points, normals, distance):
         # Beyond a focal point the normal of the parametrization is on the other side.

@@ -52,7 +52,8 @@ def as_link(value):
 def linked_shapes(source, names, container=None):
     """The sub-elements `names` of the document object `source`; no name stands for all of it.
 
-    A Source that was read before gives what it was read for. Coordinates are those of `container` (a part or body, None for the document itself).
+    A Source that was read before gives what it was read for. Coordinates are those of `container`
+    (a part or body, None for the document itself).
 
     Raises LinkError when a sub-element does not exist any more.
     """

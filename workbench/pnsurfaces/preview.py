@@ -58,8 +58,8 @@ class Outcome(NamedTuple):
 class Preview:
     """Recomputes one feature, and no other, whenever `request` says that its inputs changed.
 
-    It calls changed() when there is something new to show, made(Made) when there is another surface, and
-    settled() when the shape is that of the inputs, or there is none.
+    It calls changed() when there is something new to show, made(Made) when there is another surface,
+    and settled() when the shape is that of the inputs, or there is none.
     """
 
     def __init__(self, feature, changed, made, settled):

@@ -2,10 +2,10 @@
 """The radius that lets a pipe run through a profile: the distance of the spine from its edges.
 
 The sphere about a point m of the spine whose radius r is the distance of the profile touches it, at
-a point p. There (p - m).m' + r r' = 0, so that p lies on the circle in which the sphere touches the envelope:
-the profile lies on the pipe. The distance changes no faster than m moves, so that the envelope
-exists wherever the profile is not straight ahead. (The distance in normal planes has neither
-property.)
+a point p. There (p - m).m' + r r' = 0, so that p lies on the circle in which the sphere touches the
+envelope: the profile lies on the pipe. The distance changes no faster than m moves, so that the
+envelope exists wherever the profile is not straight ahead. (The distance in normal planes has
+neither property.)
 
 Along a straight spine the distance of a straight profile in one plane with it is linear, and exact.
 """

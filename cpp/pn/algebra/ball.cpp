@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace pn {
 
@@ -60,6 +61,16 @@ std::optional<double> RealBall::rounded() const {
   const int exponent = std::ilogb(nearest) + 1;
   const bool narrow = mag_cmp_2exp_si(arb_radref(value_), exponent - kMantissaBits - 1) <= 0;
   return narrow ? std::optional<double>(nearest) : std::nullopt;
+}
+
+double RealBall::rounding_error() const {
+  constexpr int kMantissaBits = 53;
+  const double nearest = midpoint(), least = std::numeric_limits<double>::denorm_min();
+  const double half_unit = nearest == 0 ? 0 : std::ldexp(1.0, std::ilogb(nearest) - kMantissaBits);
+  // The radius has fewer bits than a double, which can only be too small to hold it. The two units
+  // more are for that and for the sum.
+  const double error = half_unit + mag_get_d(arb_radref(value_));
+  return std::nextafter(error + least, std::numeric_limits<double>::infinity());
 }
 
 RealBall sqrt(const RealBall& x) {

@@ -138,6 +138,8 @@ class RealBall {
   /// The double nearest to the midpoint when every number of the ball is within one unit in its
   /// last place of it; nothing when the ball is too wide for that.
   std::optional<double> rounded() const;
+  /// A double that bounds how far the numbers of the ball are from the one nearest to the midpoint.
+  double rounding_error() const;
 
   arb_struct* arb() { return value_; }
   const arb_struct* arb() const { return value_; }

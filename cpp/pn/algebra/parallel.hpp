@@ -2,47 +2,18 @@
 // Independent work on several threads, with results and errors as if done in order.
 #pragma once
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
-#include <algorithm>
 #include <cstddef>
-#include <exception>
-#include <vector>
-
-#include "pn/algebra/cancellation.hpp"
+#include <functional>
 
 namespace pn {
 
 /// work(i) for i = 0 .. count - 1, on as many threads as there are. When some of them throw, the
 /// exception of the least i is thrown, whatever the threads did first. Throws Cancelled when the
 /// work around was asked to stop.
-template <class Work>
-void for_each_index(std::size_t count, Work&& work) {
-  stop_if_cancelled();
-  if (count == 1) return work(std::size_t{0});
-  std::vector<std::exception_ptr> errors(count);
-  const auto guarded = [&](std::size_t i) {
-    try {
-      work(i);
-    } catch (...) {
-      errors[i] = std::current_exception();
-    }
-  };
-  // Isolated, so that a thread that waits here does not take up foreign work, perhaps under a lock.
-  tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, count, guarded); });
-  stop_if_cancelled();
-  for (const std::exception_ptr& error : errors) {
-    if (error) std::rethrow_exception(error);
-  }
-}
+void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work);
 
 /// The same for work so small that it takes `block` of it to be worth another thread.
-template <class Work>
-void for_each_index_in_blocks(std::size_t count, std::size_t block, Work&& work) {
-  for_each_index((count + block - 1) / block, [&](std::size_t b) {
-    for (std::size_t i = b * block; i < std::min(count, (b + 1) * block); ++i) work(i);
-  });
-}
+void for_each_index_in_blocks(std::size_t count, std::size_t block,
+                              const std::function<void(std::size_t)>& work);
 
 }  // namespace pn

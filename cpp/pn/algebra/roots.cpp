@@ -202,6 +202,16 @@ RealBall value(const RationalPolynomial& p, const RealBall& t, long precision) {
   return sum;
 }
 
+/// By a Sturm chain, which costs less than to isolate the roots.
+bool has_real_roots(const RationalPolynomial& squarefree) {
+  fmpz_poly_t integral;
+  fmpz_poly_init(integral);
+  fmpq_poly_get_numerator(integral, squarefree.flint());
+  const slong count = fmpz_poly_num_real_roots(integral);
+  fmpz_poly_clear(integral);
+  return count > 0;
+}
+
 RationalPolynomial without_common_roots(RationalPolynomial p, const RationalPolynomial& other) {
   for (;;) {
     const RationalPolynomial common = gcd(p, other);
@@ -225,10 +235,10 @@ RootSet isolate_roots(const RationalPolynomial& p, long precision) {
 std::vector<Rational> numbers_between_real_roots(const RationalPolynomial& p) {
   RationalPolynomial squarefree(1L);
   for (const SquarefreeFactor& part : squarefree_factorization(p)) squarefree *= part.factor;
+  if (!has_real_roots(squarefree)) return {Rational(0)};
   // Different roots, so some precision separates them with room to spare.
   for (long precision = 128;; precision *= 2) {
     const std::vector<RealRoot> roots = isolate_roots(squarefree, precision).real;
-    if (roots.empty()) return {Rational(0)};
     std::vector<Rational> between = {Rational::exactly(roots.front().value.lower()) - Rational(1)};
     bool separated = true;
     for (std::size_t i = 1; i < roots.size() && separated; ++i) {

@@ -16,8 +16,8 @@
 
 #include "pn/algebra/ball.hpp"
 #include "pn/algebra/bernstein.hpp"
-#include "pn/algebra/multivariate_polynomial.hpp"
 #include "pn/algebra/form.hpp"
+#include "pn/algebra/multivariate_polynomial.hpp"
 
 namespace pn {
 

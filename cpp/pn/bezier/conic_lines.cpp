@@ -2,12 +2,14 @@
 #include "pn/bezier/conic_lines.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "pn/algebra/parallel.hpp"
+#include "pn/bezier/conic_parameter.hpp"
 #include "pn/bezier/conic_seam.hpp"
-#include "pn/bezier/ellipse_parameter.hpp"
 #include "pn/bezier/line_factor.hpp"
 #include "pn/geometry_error.hpp"
 
@@ -31,13 +33,11 @@ struct Segment {
 };
 
 template <class T>
-HomogeneousConic<T> on_segment(const HomogeneousConic<T>& x, const Segment& segment) {
+FormInU<T> on_segment(const FormInU<T>& x, const Segment& segment) {
   if (segment.length == 1) return x;
-  HomogeneousConic<T> result;
-  for (std::size_t c = 0; c < 4; ++c) {
-    for (const Form<T>& form : x[c].coefficient) {
-      result[c].coefficient.push_back(form.on_interval(T(segment.begin), T(segment.length)));
-    }
+  FormInU<T> result;
+  for (const Form<T>& form : x.coefficient) {
+    result.coefficient.push_back(form.on_interval(T(segment.begin), T(segment.length)));
   }
   return result;
 }
@@ -72,7 +72,7 @@ template <class T>
 class FactorSequence {
  public:
   FactorSequence(const std::vector<Segment>& segments, bool closed, const TargetLines& target,
-                 const std::vector<HomogeneousConic<T>>& spans)
+                 const std::vector<ConicForms<T>>& spans)
       : segments_(segments), closed_(closed), target_(target), spans_(spans) {}
 
   std::vector<LineFactor<T>> factors() {
@@ -112,10 +112,10 @@ class FactorSequence {
     int t;
   };
 
-  /// F at one end whose lines meet those of F at another end with the same ellipse.
+  /// F at one end whose lines meet those of F at another end with the same conic.
   Matrix<T> met(const End& own, const End& other, const Matrix<T>& factor) const {
-    const EllipseFrame<T> from = ellipse_frame(spans_[other.span], T(other.t)),
-                          to = ellipse_frame(spans_[own.span], T(own.t));
+    const ConicFrame<T> from = conic_frame(spans_[other.span], T(other.t)),
+                        to = conic_frame(spans_[own.span], T(own.t));
     const Matrix<T> result = inverse(to.circle) * (least_turn(from, to) * (from.circle * factor));
     const Eigen::Matrix2d near = target_.at(own.span, own.t);
     return (near.inverse() * midpoint(result)).trace() < 0 ? scaled(result, T(-1.0)) : result;
@@ -124,83 +124,246 @@ class FactorSequence {
   const std::vector<Segment>& segments_;
   bool closed_;
   const TargetLines& target_;
-  const std::vector<HomogeneousConic<T>>& spans_;
+  const std::vector<ConicForms<T>>& spans_;
   std::vector<LineFactor<T>> factors_;
 };
 
+/// What is smaller in parts of the other coefficients is zero in the last place of every pole.
+constexpr double kNothing = 0x1p-80;
+
+/// The lines that are the ends of arcs, where they are linear in t in the parameter of the family.
+class LinesOfEnds {
+ public:
+  explicit LinesOfEnds(const std::vector<ConicForms<RealBall>>& spans) : spans_(spans) {}
+
+  /// F on each span; nothing where some end is no line.
+  std::optional<std::vector<LineFactor<RealBall>>> factors() const {
+    std::vector<LineFactor<RealBall>> result;
+    for (std::size_t i = 0; i < spans_.size(); ++i) {
+      const Matrix<RealBall> left =
+          i == 0 ? ends_of_arc(spans_[0], RealBall(0)) : met(i, result.back().ends[1].value);
+      result.push_back(continued_from(left, spans_[i]));
+      const FormInU<RealBall> cut = lined(spans_[i].cut, result.back());
+      if (!vanishes(cut.coefficient[0], cut) || !vanishes(cut.coefficient[2], cut)) return {};
+    }
+    return result;
+  }
+
+ private:
+  using Vector = std::array<RealBall, 2>;
+
+  static Vector column(const Matrix<RealBall>& a, std::size_t j) { return {a[0][j], a[1][j]}; }
+  static RealBall cross(const Vector& a, const Vector& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+  Matrix<RealBall> met(std::size_t span, const Matrix<RealBall>& before) const {
+    const auto from = conic_frame(spans_[span - 1], RealBall(1)),
+               to = conic_frame(spans_[span], RealBall(0));
+    return inverse(to.circle) * (least_turn(from, to) * (from.circle * before));
+  }
+
+  /// From the ends at t = 0 to those at t = 1, of the size with which the middle is right too.
+  static LineFactor<RealBall> continued_from(const Matrix<RealBall>& left,
+                                             const ConicForms<RealBall>& span) {
+    const Matrix<RealBall> middle = ends_of_arc(span, RealBall(0.5)),
+                           last = ends_of_arc(span, RealBall(1));
+    const Matrix<RealBall> first = ends_of_arc(span, RealBall(0));
+    // The ends may come in the other order.
+    const bool keeps_order = std::abs(cross(column(left, 0), column(first, 0)).midpoint()) <
+                             std::abs(cross(column(left, 0), column(first, 1)).midpoint());
+    Matrix<RealBall> right = left;
+    for (std::size_t j = 0; j < 2; ++j) {
+      const std::size_t k = keeps_order ? j : 1 - j;
+      const RealBall before = cross(column(left, j), column(middle, k)),
+                     after = cross(column(last, k), column(middle, k));
+      // A line that does not turn keeps its size.
+      if (after.contains_zero()) continue;
+      const RealBall size = -before / after;
+      for (std::size_t i = 0; i < 2; ++i) right[i][j] = last[i][k] * size;
+    }
+    return joined(left, right);
+  }
+
+  static bool vanishes(const Form<RealBall>& form, const FormInU<RealBall>& cut) {
+    double size = 0, largest = 0;
+    for (const RealBall& c : cut.coefficient[1].coefficients()) {
+      size = std::max(size, c.magnitude_upper());
+    }
+    for (const RealBall& c : form.coefficients()) {
+      if (!c.contains_zero()) return false;
+      largest = std::max(largest, c.magnitude_upper());
+    }
+    return largest <= kNothing * size;
+  }
+
+  const std::vector<ConicForms<RealBall>>& spans_;
+};
+
+/// Weights along arcs may vary by this factor, as between a vertex and far points.
+constexpr double kLeastRatioOfArcs = 2e-3;
+
+/// How the lines of arcs are tried: the degree of F, the margin beyond the arcs as a part of them,
+/// and how often segments may be halved.
+struct ArcAttempt {
+  int lines_degree;
+  double margin;
+  int halvings;
+};
+
+/// From few poles to what always ends well.
+constexpr std::array<ArcAttempt, 6> kArcAttempts = {
+    {{0, 0.02, 0}, {1, 0.02, 0}, {1, 0.1, 0}, {1, 0.1, 2}, {1, 0.02, 6}, {1, 0.1, 10}}};
+
+/// Places on a segment at which the band is compared with its arcs.
+constexpr int kBandSamples = 129;
+
 class Planner {
  public:
-  Planner(const EllipseChain& chain, Lines lines, long precision)
+  Planner(const ConicChain& chain, Lines lines, long precision)
       : chain_(chain), lines_(lines), spans_(chain.spans.size()), estimates_(spans_.size()) {
     for_each_index(spans_.size(), [&](std::size_t i) {
       spans_[i] = (*chain.spans[i])(precision);
       estimates_[i] = pn::midpoint(spans_[i]);
     });
-    target_ = std::make_unique<ConicSeam>(estimates_, chain.closed);
-    for (std::size_t i = 0; i < spans_.size(); ++i) {
-      const int degree = lines == Lines::kEven ? std::min(1, room(i)) : 0;
-      segments_.push_back({i, 0, 1, degree});
-    }
-    // The last lines of a closed surface have to come back to the first.
-    if (chain.closed) segments_.back().lines_degree = 1;
   }
 
-  std::vector<SectionSegment> segments() {
-    while (refine_uneven_segments()) {
+  std::vector<ConicSegment> segments() {
+    if (chain_.has_cuts()) {
+      if (const auto factors = lines_of_ends()) return lined_with(*factors);
+      plan_arcs();
+    } else {
+      plan_ellipses();
     }
-    const auto factors = factors_for<RealBall>(spans_);
-    std::vector<SectionSegment> result(segments_.size());
+    return lined_with(factors_for<RealBall>(spans_));
+  }
+
+ private:
+  std::vector<ConicSegment> lined_with(const std::vector<LineFactor<RealBall>>& factors) const {
+    std::vector<ConicSegment> result(segments_.size());
     for_each_index(result.size(), [&](std::size_t i) {
       const Segment& segment = segments_[i];
-      const HomogeneousConic<RealBall> x = on_segment(spans_[segment.span], segment);
+      const auto form = [&](const FormInU<RealBall>& x) {
+        return lined(on_segment(x, segment), factors[i]);
+      };
+      const auto& [point, cut] = spans_[segment.span];
       const auto span = static_cast<double>(segment.span);
-      result[i] = {false,
-                   span + segment.begin,
-                   span + segment.end(),
-                   i == 0 ? Joint::kNone : Joint::kTangent,
-                   Around::kCircle,
-                   {{lined(x[0], factors[i]), lined(x[1], factors[i]), lined(x[2], factors[i])},
-                    {},
-                    lined(x[3], factors[i])}};
+      result[i] = {{false,
+                    span + segment.begin,
+                    span + segment.end(),
+                    i == 0 ? Joint::kNone : Joint::kTangent,
+                    chain_.has_cuts() ? Around::kArc : Around::kCircle,
+                    {{form(point[0]), form(point[1]), form(point[2])}, {}, form(point[3])}},
+                   is_trimmed_ ? pn::midpoint(form(cut)) : FormInU<double>{}};
     });
     return result;
   }
 
- private:
+  /// Lines that end where the arcs do, if these are rational and there are such lines.
+  std::optional<std::vector<LineFactor<RealBall>>> lines_of_ends() {
+    whole_spans(1);
+    for (std::size_t i = 0; i < spans_.size(); ++i) {
+      if (chain_.closed || room(i) == 0 || !chain_.spans[i]->has_rational_ends()) return {};
+    }
+    auto factors = LinesOfEnds(spans_).factors();
+    if (!factors) return {};
+    for (std::size_t i = 0; i < spans_.size(); ++i) {
+      const FormInU<double> weight = pn::midpoint(lined(spans_[i].point[3], (*factors)[i]));
+      if (!has_even_weights(weight)) return {};
+    }
+    return factors;
+  }
+
+  void plan_ellipses() {
+    target_ = std::make_unique<ConicSeam>(estimates_, chain_.closed);
+    whole_spans(lines_ == Lines::kEven ? 1 : 0);
+    do {
+      find_bad_segments(&Planner::is_even);
+    } while (refine_bad_segments(kMostSegmentHalvings));
+  }
+
+  void plan_arcs() {
+    is_trimmed_ = true;
+    for (const ArcAttempt& attempt : kArcAttempts) {
+      target_ = std::make_unique<ArcLines>(estimates_, attempt.margin);
+      whole_spans(attempt.lines_degree);
+      do {
+        find_bad_segments(&Planner::holds_arcs);
+        if (std::none_of(bad_.begin(), bad_.end(), [](char bad) { return bad != 0; })) return;
+      } while (refine_bad_segments(attempt.halvings));
+    }
+    throw GeometryError(ErrorCode::kWeightsNotPositive,
+                        "No patches with positive weights were found along the arcs: one of them "
+                        "nearly reaches infinity, or nearly vanishes.");
+  }
+
+  /// Lines of this degree, where there is room for it.
+  void whole_spans(int lines_degree) {
+    segments_.clear();
+    for (std::size_t i = 0; i < spans_.size(); ++i) {
+      segments_.push_back({i, 0, 1, std::min(lines_degree, room(i))});
+    }
+    // The last lines of a closed surface have to come back to the first.
+    if (chain_.closed) segments_.back().lines_degree = 1;
+  }
+
   /// Room for the degree of F under OpenCASCADE's limit.
   int room(std::size_t span) const {
     return std::max(0, (kLargestDegree - chain_.spans[span]->degree()) / 2);
   }
 
   template <class T>
-  std::vector<LineFactor<T>> factors_for(const std::vector<HomogeneousConic<T>>& spans) const {
+  std::vector<LineFactor<T>> factors_for(const std::vector<ConicForms<T>>& spans) const {
     return FactorSequence<T>(segments_, chain_.closed, *target_, spans).factors();
   }
 
-  /// Refines every segment with uneven weights; false when there is none (any more).
-  bool refine_uneven_segments() {
+  /// Whether the lines of a segment are good.
+  using IsGood = bool (Planner::*)(const Segment&, const LineFactor<double>&) const;
+
+  void find_bad_segments(IsGood is_good) {
     const auto factors = factors_for<double>(estimates_);
+    bad_.assign(segments_.size(), 0);
+    for_each_index(segments_.size(),
+                   [&](std::size_t i) { bad_[i] = !(this->*is_good)(segments_[i], factors[i]); });
+  }
+
+  bool is_even(const Segment& segment, const LineFactor<double>& factor) const {
     const std::vector<CircleColumns> circle =
         circle_columns(lines_, lines_ == Lines::kEven ? kLeastArcs : kMostArcs, 2);
+    const FormInU<double>& weight = estimates_[segment.span].point[3];
+    const auto [least, largest] = weight_range(lined(on_segment(weight, segment), factor), circle);
+    return least > (lines_ == Lines::kEven ? kLeastWeightRatio * largest : 0);
+  }
+
+  /// The arcs are inside the band, on which the weights are positive and not too uneven.
+  bool holds_arcs(const Segment& segment, const LineFactor<double>& factor) const {
+    const auto& [point, cut] = estimates_[segment.span];
+    const auto& q = lined(on_segment(cut, segment), factor).coefficient;
+    for (int k = 0; k < kBandSamples; ++k) {
+      const double t = static_cast<double>(k) / (kBandSamples - 1);
+      if (!(q[0](t) < 0 && q[1](t) > 0 && q[2](t) < 0)) return false;
+    }
+    return has_even_weights(lined(on_segment(point[3], segment), factor));
+  }
+
+  static bool has_even_weights(const FormInU<double>& weight) {
+    const auto [least, largest] = weight_range(weight, {straight_band(kMostArcs / kLeastArcs, 2)});
+    return least > kLeastRatioOfArcs * largest;
+  }
+
+  /// Refines every bad segment; false when there is none (any more).
+  bool refine_bad_segments(int most_halvings) {
     bool changed = false;
     std::vector<Segment> refined;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       const Segment& segment = segments_[i];
-      const FormInU<double> weight = on_segment(estimates_[segment.span], segment)[3];
-      const WeightRange range = weight_range(lined(weight, factors[i]), circle);
-      const double least = lines_ == Lines::kEven ? kLeastWeightRatio * range.largest : 0;
-      const bool is_uneven = range.least <= least && can_be_refined(segment);
-      changed = changed || is_uneven;
+      const bool refine =
+          bad_[i] != 0 && segment.halvings < most_halvings && room(segment.span) > 0;
+      changed = changed || refine;
       const std::vector<Segment> parts =
-          is_uneven ? refinement(segment) : std::vector<Segment>{segment};
+          refine ? refinement(segment) : std::vector<Segment>{segment};
       refined.insert(refined.end(), parts.begin(), parts.end());
     }
     segments_ = std::move(refined);
     return changed;
-  }
-
-  bool can_be_refined(const Segment& segment) const {
-    return segment.halvings < kMostSegmentHalvings && room(segment.span) > 0;
   }
 
   /// Lines that may turn, where they were constant; otherwise two halves.
@@ -216,17 +379,19 @@ class Planner {
     return {segment, right};
   }
 
-  const EllipseChain& chain_;
+  const ConicChain& chain_;
   Lines lines_;
-  std::vector<HomogeneousConic<RealBall>> spans_;
-  std::vector<HomogeneousConic<double>> estimates_;
+  std::vector<ConicForms<RealBall>> spans_;
+  std::vector<ConicForms<double>> estimates_;
   std::unique_ptr<const TargetLines> target_;
   std::vector<Segment> segments_;
+  std::vector<char> bad_;  ///< the segments to be refined
+  bool is_trimmed_ = false;
 };
 
 }  // namespace
 
-std::vector<SectionSegment> lined_segments(const EllipseChain& chain, Lines lines, long precision) {
+std::vector<ConicSegment> lined_segments(const ConicChain& chain, Lines lines, long precision) {
   if (chain.closed && chain.spans.back()->degree() + 2 > kLargestDegree) {
     throw GeometryError(ErrorCode::kDegreeTooHigh,
                         "The closed surface needs a degree above " +

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/bezier/conic_points.hpp"
 
+#include <algorithm>
+
+#include "pn/algebra/roots.hpp"
+
 namespace pn {
 namespace {
 
@@ -10,46 +14,90 @@ Form<RealBall> ball_form(const RationalPolynomial& p, int degree, long precision
   return Form<RealBall>(std::move(balls));
 }
 
-}  // namespace
-
-HomogeneousConic<double> midpoint(const HomogeneousConic<RealBall>& x) {
-  HomogeneousConic<double> result;
-  for (std::size_t c = 0; c < 4; ++c) {
-    for (const Form<RealBall>& form : x[c].coefficient) {
-      result[c].coefficient.push_back(midpoint(form));
+/// b.y, whose entries have the degrees of y and of b up to that of the sum.
+FormInU<RealBall> contracted(const Vector3<RationalPolynomial>& b, const Vector3<int>& degree,
+                             const QuadraticPoints& y, long precision) {
+  FormInU<RealBall> sum;
+  sum.coefficient.assign(3, Form<RealBall>());
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Form<RealBall> factor = ball_form(b[i], degree[i], precision);
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum.coefficient[k].add_product(factor, y.coordinate[i][k]);
     }
   }
+  // u0 u1 has the binomial 2.
+  sum.coefficient[1] = sum.coefficient[1] * RealBall(0.5);
+  return sum;
+}
+
+RationalPolynomial product(const Vector3<RationalPolynomial>& a,
+                           const Matrix3<RationalPolynomial>& m,
+                           const Vector3<RationalPolynomial>& b) {
+  RationalPolynomial sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) sum += a[i] * m[i][j] * b[j];
+  }
+  return sum;
+}
+
+}  // namespace
+
+FormInU<double> midpoint(const FormInU<RealBall>& form) {
+  FormInU<double> result;
+  for (const Form<RealBall>& c : form.coefficient) result.coefficient.push_back(midpoint(c));
   return result;
 }
 
-ConicPoints::ConicPoints(const MovingConic& conic) : ConicPoints(conic, family_of(conic)) {}
+ConicForms<double> midpoint(const ConicForms<RealBall>& x) {
+  return {{midpoint(x.point[0]), midpoint(x.point[1]), midpoint(x.point[2]), midpoint(x.point[3])},
+          midpoint(x.cut)};
+}
 
-ConicPoints::ConicPoints(const MovingConic& conic, const ConicFamily& family)
-    : ConicPoints(conic, family, interval_substitution(family, Rational(0), Rational(1))) {}
+ConicPoints::ConicPoints(const ConicSpan& span) : ConicPoints(span, family_of(span.conic)) {}
 
-ConicPoints::ConicPoints(const MovingConic& conic, const ConicFamily& family,
+ConicPoints::ConicPoints(const ConicSpan& span, const ConicFamily& family)
+    : ConicPoints(span, family, interval_substitution(family, Rational(0), Rational(1))) {}
+
+ConicPoints::ConicPoints(const ConicSpan& span, const ConicFamily& family,
                          const IntervalSubstitution& substitution)
-    : family_(substituted(family, substitution)), conics_(family_), substitution_(substitution) {
+    : family_(substituted(family, substitution)),
+      conics_(family_),
+      substitution_(substitution),
+      cut_(span.cut) {
+  int cut_degree = 0;
   for (std::size_t j = 0; j < 3; ++j) {
     frame_degree_[j] = family.degree[j] * substitution.degree;
     for (std::size_t c = 0; c < 4; ++c) {
-      frame_[c][j] = substitution(conic.frame[c][j], family.degree[j]);
+      frame_[c][j] = substitution(span.conic.frame[c][j], family.degree[j]);
     }
+    if (cut_) cut_degree = std::max(cut_degree, (*cut_)[j].degree() - family.degree[j]);
   }
+  if (!cut_) return;
+  for (std::size_t j = 0; j < 3; ++j) {
+    (*cut_)[j] = substitution((*cut_)[j], cut_degree + family.degree[j]);
+  }
+  cut_degree_ = cut_degree * substitution.degree;
 }
 
-RationalPolynomial ConicPoints::ellipticity() const {
+LineInvariants ConicPoints::invariants() const {
   const Matrix3<RationalPolynomial> minors = adjugate(family_.matrix);
-  RationalPolynomial sum;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) sum += frame_[3][i] * minors[i][j] * frame_[3][j];
-  }
+  RationalPolynomial squares(1L);
   for (const SingularFactor& singular : singular_conics(family_).finite) {
-    for (int k = 0; k + 1 < singular.type.a; k += 2) {
-      sum = exact_quotient(sum, singular.factor * singular.factor);
-    }
+    for (int k = 0; k + 1 < singular.type.a; k += 2) squares *= singular.factor * singular.factor;
   }
-  return sum;
+  const auto invariant = [&](const Vector3<RationalPolynomial>& a,
+                             const Vector3<RationalPolynomial>& b) {
+    return exact_quotient(product(a, minors, b), squares);
+  };
+  const Vector3<RationalPolynomial>& infinity = frame_[3];
+  if (!cut_) return {invariant(infinity, infinity), {}, {}};
+  return {invariant(infinity, infinity), invariant(*cut_, infinity), invariant(*cut_, *cut_)};
+}
+
+bool ConicPoints::has_rational_ends() const {
+  const std::vector<SquarefreeFactor> factors = squarefree_factorization(invariants().cut);
+  return std::all_of(factors.begin(), factors.end(),
+                     [](const SquarefreeFactor& factor) { return factor.multiplicity % 2 == 0; });
 }
 
 double ConicPoints::t_at(double s) const {
@@ -57,21 +105,22 @@ double ConicPoints::t_at(double s) const {
   return (substitution_.numerator(at) / substitution_.denominator(at)).to_double();
 }
 
-HomogeneousConic<RealBall> ConicPoints::operator()(long precision) const {
+ConicForms<RealBall> ConicPoints::operator()(long precision) const {
   const QuadraticPoints y = conics_.points(precision);
-  HomogeneousConic<RealBall> x;
+  ConicForms<RealBall> x;
   for (std::size_t c = 0; c < 4; ++c) {
-    x[c].coefficient.assign(3, Form<RealBall>::zero(degree()));
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Form<RealBall> b = ball_form(frame_[c][i], frame_degree_[i], precision);
-      for (std::size_t k = 0; k < 3; ++k) x[c].coefficient[k].add_product(b, y.coordinate[i][k]);
-    }
-    // u0 u1 has the binomial 2.
-    x[c].coefficient[1] = x[c].coefficient[1] * RealBall(0.5);
+    x.point[c] = contracted(frame_[c], frame_degree_, y, precision);
   }
-  const bool is_negative = x[3].coefficient[0](RealBall(0.5)).midpoint() < 0;
-  if (is_negative) {
-    for (FormInU<RealBall>& component : x) component = -std::move(component);
+  if (cut_) {
+    Vector3<int> degree = frame_degree_;
+    for (int& d : degree) d += cut_degree_;
+    x.cut = contracted(*cut_, degree, y, precision);
+  }
+  const RealBall sign = definite_form(x, RealBall(0.5))[0];
+  if (sign.contains_zero()) throw Undecided("the sign of a conic's weight");
+  if (sign.is_negative()) {
+    for (FormInU<RealBall>& component : x.point) component = -std::move(component);
+    x.cut = -std::move(x.cut);
   }
   return x;
 }

@@ -2,12 +2,16 @@
 #include "pn/bezier/conic_source.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "pn/algebra/parallel.hpp"
 #include "pn/algebra/rational_matrix.hpp"
+#include "pn/bezier/band_trims.hpp"
 #include "pn/bezier/segment_faces.hpp"
 #include "pn/geometry_error.hpp"
 
@@ -16,67 +20,184 @@ namespace {
 
 using Polynomial = RationalPolynomial;
 
-/// "at t = 0.5" or, of several spans, "at t = 0.5 of span 2".
-std::string place(double t, std::size_t span, std::size_t count) {
-  char text[64];
-  if (count == 1) {
-    std::snprintf(text, sizeof text, "at t = %.6g", t);
-  } else {
-    std::snprintf(text, sizeof text, "at t = %.6g of span %zu", t, span + 1);
-  }
+/// Conics that differ by less than this part of their size meet but for the rounding of the numbers
+/// that they were made of. What is closed so is counted in the deviation.
+constexpr double kRounding = 1e-12;
+
+std::string place(const ConicPoints& conics, double s) {
+  char text[32];
+  std::snprintf(text, sizeof text, "at t = %.6g", conics.t_at(s));
   return text;
 }
 
-void check_ellipses(const ConicPoints& conics, std::size_t span, std::size_t count) {
-  const Polynomial ellipticity = conics.ellipticity();
-  if (is_positive_on_unit_interval(ellipticity)) return;
-  const bool at_start = ellipticity(Rational(0)).sign() <= 0;
-  const double s = at_start ? 0 : roots_in_unit_interval(ellipticity).front().value.midpoint();
-  throw GeometryError(ErrorCode::kRegionUnbounded,
-                      "The conic " + place(conics.t_at(s), span, count) +
-                          " is no ellipse: it has points at infinity.");
+/// Where a polynomial is not positive on [0, 1], first of all: at the start or at a root.
+std::optional<double> first_not_positive(const Polynomial& p) {
+  if (is_positive_on_unit_interval(p)) return std::nullopt;
+  if (p(Rational(0)).sign() <= 0) return 0;
+  const std::vector<RealRoot> roots = roots_in_unit_interval(p);
+  return std::min_element(roots.begin(), roots.end(),
+                          [](const RealRoot& a, const RealRoot& b) {
+                            return a.value.midpoint() < b.value.midpoint();
+                          })
+      ->value.midpoint();
 }
 
-/// The planes that touch a conic, e^T D e = 0, at an end of its span: D by its ten entries.
-std::vector<Rational> tangent_planes_at(const MovingConic& conic, int end) {
+void check_ellipses(const ConicPoints& conics) {
+  if (const auto s = first_not_positive(conics.invariants().infinity)) {
+    throw GeometryError(ErrorCode::kRegionUnbounded,
+                        "The conic " + place(conics, *s) +
+                            " is no ellipse: it has points at infinity, and no cut takes a finite "
+                            "part of it.");
+  }
+}
+
+/// Finite parts, by conic_points.hpp.
+void check_arcs(const ConicPoints& conics) {
+  const auto [infinity, mixed, cut] = conics.invariants();
+  if (const auto s = first_not_positive(-cut)) {
+    throw GeometryError(
+        ErrorCode::kRegionEmpty,
+        "The line that cuts the conic " + place(conics, *s) + " does not meet it in two points.");
+  }
+  const auto refuse = [&](double s) {
+    throw GeometryError(ErrorCode::kRegionUnbounded,
+                        "The part of the conic " + place(conics, s) +
+                            " on the positive side of the line that cuts it is no finite arc.");
+  };
+  // From here on [c, w] is not zero where [w, w] is not positive, so it keeps its sign there.
+  if (const auto s = first_not_positive(mixed * mixed - infinity * cut)) refuse(*s);
+  if (infinity(Rational(0)).sign() <= 0 && mixed(Rational(0)).sign() >= 0) refuse(0);
+  const auto bad = infinity.is_zero() ? std::vector<RealRoot>{}
+                                      : roots_in_unit_interval_without_positive(infinity, -mixed);
+  if (!bad.empty()) refuse(bad.front().value.midpoint());
+}
+
+/// The matrix D of the planes that touch the conics, e^T D e = 0, without common factors.
+std::array<Vector4OfPolynomials, 4> tangent_planes(const MovingConic& conic) {
   const Matrix3<Polynomial> dual = adjugate(conic.conic);
-  std::vector<Polynomial> entries;
+  std::array<Vector4OfPolynomials, 4> result;
   Polynomial common;
   for (std::size_t a = 0; a < 4; ++a) {
-    for (std::size_t b = a; b < 4; ++b) {
-      Polynomial sum;
+    for (std::size_t b = 0; b < 4; ++b) {
       for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) {
-          sum += conic.frame[a][i] * dual[i][j] * conic.frame[b][j];
+          result[a][b] += conic.frame[a][i] * dual[i][j] * conic.frame[b][j];
         }
       }
-      common = gcd(common, sum);
-      entries.push_back(std::move(sum));
+      common = gcd(common, result[a][b]);
     }
   }
-  std::vector<Rational> values;
-  for (const Polynomial& entry : entries) {
-    values.push_back(exact_quotient(entry, common)(Rational(long{end})));
+  for (Vector4OfPolynomials& row : result) {
+    for (Polynomial& entry : row) entry = exact_quotient(entry, common);
+  }
+  return result;
+}
+
+/// The planes (e1, e2, e3, e4) of the conics.
+Vector4OfPolynomials planes(const MovingConic& conic) {
+  Vector4OfPolynomials result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    Matrix3<Polynomial> others;
+    for (std::size_t k = 0; k < 3; ++k) others[k] = conic.frame[k + (k >= i)];
+    result[i] = i % 2 == 0 ? determinant(others) : -determinant(others);
+  }
+  return result;
+}
+
+/// With a frame that spans a plane at every t in [0, 1], where a conic with another one can have
+/// it.
+ConicSpan with_regular_frame(const ConicSpan& span) {
+  Polynomial common;
+  for (const Polynomial& p : planes(span.conic)) common = gcd(common, p);
+  if (common.is_zero()) {
+    throw GeometryError(ErrorCode::kSingularConics,
+                        "The three points that span the plane are on one line for all t.");
+  }
+  const std::vector<RealRoot> roots = roots_in_unit_interval(common);
+  if (roots.empty()) return span;
+  if (!span.cut) return {conic_of_tangent_planes(tangent_planes(span.conic)), {}};
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", roots.front().value.midpoint());
+  throw GeometryError(ErrorCode::kSingularConics,
+                      std::string("The three points that span the plane are on one line at t = ") +
+                          text + "; with a cut they may not be.");
+}
+
+RationalMatrix tangent_planes_at(const ConicSpan& span, long t) {
+  RationalMatrix values;
+  for (const Vector4OfPolynomials& row : tangent_planes(span.conic)) {
+    values.emplace_back();
+    for (const Polynomial& entry : row) values.back().push_back(entry(Rational(t)));
   }
   return values;
 }
 
-std::size_t rank(const std::vector<Rational>& upper_triangle) {
-  RationalMatrix matrix(4, std::vector<Rational>(4));
-  auto entry = upper_triangle.begin();
-  for (std::size_t a = 0; a < 4; ++a) {
-    for (std::size_t b = a; b < 4; ++b) matrix[a][b] = matrix[b][a] = *entry++;
+/// Centre and half-axes as near as the rounding of a designer's numbers leaves them. With D44 = 1
+/// the entries D_i4 are the centre, and D_ij squares of lengths.
+bool are_as_near_as_rounding(const RationalMatrix& end, const RationalMatrix& begin) {
+  if (end[3][3].is_zero() || begin[3][3].is_zero()) return false;
+  const auto power_of_length = [](std::size_t i, std::size_t j) { return (i < 3) + (j < 3); };
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 4; ++j) {
+      const double entry = (end[i][j] / end[3][3]).to_double();
+      size = std::max(size, std::pow(std::abs(entry), 1.0 / power_of_length(i, j)));
+    }
   }
-  return row_echelon_form(matrix).size();
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 4; ++j) {
+      const double difference = (end[i][j] / end[3][3] - begin[i][j] / begin[3][3]).to_double();
+      if (std::abs(difference) > kRounding * std::pow(size, power_of_length(i, j))) return false;
+    }
+  }
+  return true;
+}
+
+bool have_one_conic(const ConicSpan& span, const ConicSpan& next) {
+  const auto in_one_row = [](const RationalMatrix& matrix) {
+    std::vector<Rational> row;
+    for (const auto& part : matrix) row.insert(row.end(), part.begin(), part.end());
+    return row;
+  };
+  const RationalMatrix end = tangent_planes_at(span, 1), begin = tangent_planes_at(next, 0);
+  if (row_echelon_form(end).size() != 3) return false;
+  return row_echelon_form({in_one_row(end), in_one_row(begin)}).size() == 1 ||
+         are_as_near_as_rounding(end, begin);
+}
+
+/// The pole of the cut at an end of a span, with the sign of its positive side.
+std::vector<Rational> pole_at(const ConicSpan& span, int end) {
+  const Matrix3<Polynomial> dual = adjugate(span.conic.conic);
+  const Rational t(long{end});
+  std::vector<Rational> pole;
+  for (const Vector3<Polynomial>& row : span.conic.frame) {
+    Rational sum;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) sum += row[i](t) * dual[i][j](t) * (*span.cut)[j](t);
+    }
+    pole.push_back(sum);
+  }
+  return pole;
+}
+
+bool are_cut_alike(const ConicSpan& span, const ConicSpan& next) {
+  if (!span.cut) return true;
+  const auto a = pole_at(span, 1), b = pole_at(next, 0);
+  Rational product;
+  for (std::size_t c = 0; c < 4; ++c) product += a[c] * b[c];
+  return row_echelon_form({a, b}).size() == 1 && product.sign() > 0;
 }
 
 bool ends_where_begins(const ConicSpan& span, const ConicSpan& next) {
-  const auto end = tangent_planes_at(span.conic, 1), begin = tangent_planes_at(next.conic, 0);
-  return row_echelon_form({end, begin}).size() == 1 && rank(end) == 3;
+  return have_one_conic(span, next) && are_cut_alike(span, next);
 }
 
 void check_joints(const std::vector<ConicSpan>& spans) {
   for (std::size_t i = 0; i + 1 < spans.size(); ++i) {
+    if (spans[i].cut.has_value() != spans[i + 1].cut.has_value()) {
+      throw GeometryError(ErrorCode::kWrongShape,
+                          "Some spans have a cut and some have none; all need one, or none.");
+    }
     if (ends_where_begins(spans[i], spans[i + 1])) continue;
     throw GeometryError(ErrorCode::kGap,
                         "Span " + std::to_string(i + 2) +
@@ -85,10 +206,13 @@ void check_joints(const std::vector<ConicSpan>& spans) {
   }
 }
 
-std::shared_ptr<const ConicPoints> points_of(const ConicSpan& span, std::size_t index,
-                                             std::size_t count) {
-  auto conics = std::make_shared<const ConicPoints>(span.conic);
-  check_ellipses(*conics, index, count);
+std::shared_ptr<const ConicPoints> points_of(const ConicSpan& span) {
+  auto conics = std::make_shared<const ConicPoints>(with_regular_frame(span));
+  if (span.cut) {
+    check_arcs(*conics);
+  } else {
+    check_ellipses(*conics);
+  }
   if (conics->degree() > kLargestDegree) {
     throw GeometryError(
         ErrorCode::kDegreeTooHigh,
@@ -97,16 +221,71 @@ std::shared_ptr<const ConicPoints> points_of(const ConicSpan& span, std::size_t 
   return conics;
 }
 
+/// The same of one span among others, which a refusal names.
+std::shared_ptr<const ConicPoints> points_of(const std::vector<ConicSpan>& spans,
+                                             std::size_t index) {
+  try {
+    return points_of(spans[index]);
+  } catch (const GeometryError& error) {
+    if (spans.size() == 1) throw;
+    throw GeometryError(error.code(), "Span " + std::to_string(index + 1) + ": " + error.what());
+  }
+}
+
+/// The dimension of the space that the planes of all conics span.
+std::size_t rank_of_planes(const std::vector<ConicSpan>& spans) {
+  RationalMatrix rows;
+  for (const ConicSpan& span : spans) {
+    const Vector4OfPolynomials plane = planes(span.conic);
+    int degree = 0;
+    for (const Polynomial& p : plane) degree = std::max(degree, p.degree());
+    for (int k = 0; k <= degree; ++k) {
+      rows.emplace_back();
+      for (const Polynomial& p : plane) rows.back().push_back(p.coefficient(k));
+    }
+  }
+  return row_echelon_form(rows).size();
+}
+
+/// Where an arc begins and ends in its band, by the form of its cut: the zeros s of a (1 - s)^2 + 2
+/// b s (1 - s) + c s^2, for b > 0 and a, c <= 0.
+double low_end(const FormInU<double>& cut, double t) {
+  const double a = cut.coefficient[0](t), b = cut.coefficient[1](t), c = cut.coefficient[2](t);
+  const double sum = b + std::sqrt(b * b - a * c);
+  return -a / (sum - a);
+}
+
+double high_end(const FormInU<double>& cut, double t) {
+  const double a = cut.coefficient[0](t), b = cut.coefficient[1](t), c = cut.coefficient[2](t);
+  const double sum = b + std::sqrt(b * b - a * c);
+  return sum / (sum - c);
+}
+
+BandSides ends_of_arcs(const std::vector<ConicSegment>& segments, bool closed) {
+  std::array<std::vector<BandSide::Span>, 2> spans;
+  for (const ConicSegment& segment : segments) {
+    spans[0].push_back(
+        {segment.begin, segment.end, [cut = segment.cut](double t) { return low_end(cut, t); }});
+    spans[1].push_back(
+        {segment.begin, segment.end, [cut = segment.cut](double t) { return high_end(cut, t); }});
+  }
+  return band_sides(std::move(spans), closed);
+}
+
 }  // namespace
 
 ConicSource::ConicSource(const std::vector<ConicSpan>& spans, std::vector<std::string> notes)
     : notes_(std::move(notes)) {
   if (spans.empty()) throw GeometryError(ErrorCode::kWrongShape, "There is no conic.");
   chain_.spans.resize(spans.size());
-  for_each_index(spans.size(),
-                 [&](std::size_t i) { chain_.spans[i] = points_of(spans[i], i, spans.size()); });
+  for_each_index(spans.size(), [&](std::size_t i) { chain_.spans[i] = points_of(spans, i); });
   check_joints(spans);
   chain_.closed = ends_where_begins(spans.back(), spans.front());
+  if (rank_of_planes(spans) == 1) {
+    notes_.push_back(
+        "All conics lie in one plane: the surface is a part of it, with folds where the "
+        "conics have an envelope.");
+  }
 }
 
 std::array<int, 2> ConicSource::degree() const {
@@ -116,16 +295,25 @@ std::array<int, 2> ConicSource::degree() const {
 }
 
 TrimmableNet ConicSource::net(Lines lines, long precision) const {
-  const std::vector<SectionSegment> segments = lined_segments(chain_, lines, precision);
+  const std::vector<ConicSegment> segments = lined_segments(chain_, lines, precision);
   SegmentChain chain{{}, chain_.closed, SpansAlong::kOne};
-  for (const SectionSegment& segment : segments) chain.segments.push_back(&segment);
+  for (const ConicSegment& segment : segments) chain.segments.push_back(&segment);
   std::vector<FaceNet> faces;
-  for (SegmentFace& face : segment_faces(chain, lines, precision)) faces.push_back(std::move(face));
-  const std::size_t count = faces.size();
-  return {std::make_shared<const SectionNet>(std::move(faces), precision), [count] {
-            std::vector<TrimmedFace> whole;
-            for (std::size_t i = 0; i < count; ++i) whole.push_back({i, {}});
-            return whole;
+  std::vector<ChainPlace> places;
+  for (SegmentFace& face : segment_faces(chain, lines, precision)) {
+    places.push_back(face.place);
+    faces.push_back(std::move(face));
+  }
+  const bool is_trimmed = !segments.front().cut.coefficient.empty();
+  const auto ends = is_trimmed ? ends_of_arcs(segments, chain_.closed) : BandSides{};
+  return {std::make_shared<const SectionNet>(std::move(faces), precision), [places, ends] {
+            std::vector<TrimmedFace> trimmed(places.size());
+            for_each_index(trimmed.size(), [&](std::size_t i) {
+              trimmed[i].net_face = i;
+              if (!ends) return;
+              trimmed[i].loops = {band_loop(ends, places[i].first_segment, places[i].last_segment)};
+            });
+            return trimmed;
           }};
 }
 

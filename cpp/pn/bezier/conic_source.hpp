@@ -2,7 +2,8 @@
 // Conic source: the surface of a moving conic as a source of sections.
 //
 // Its points are those of conic_points.hpp, its lines those of conic_lines.hpp. Unit normals are
-// not rational in general, so there are no sections but the one at distance zero.
+// not rational in general, so there are no sections but the one at distance zero. The ends of arcs
+// are edges of trimmed faces (band_trims.hpp).
 #pragma once
 
 #include <string>
@@ -18,9 +19,11 @@ class ConicSource : public SectionSource {
  public:
   /// Spans along t, each over [0, 1], each beginning with the conic with which the one before ends.
   /// Span number i is the surface over [i, i + 1]; it is closed when the last conic is the first.
+  /// Frames of conics without a cut may be flat at single t.
   ///
   /// Throws GeometryError: kSingularConics, kNoRealPoints, kGap where spans do not meet,
-  /// kRegionUnbounded where a conic has points at infinity, kDegreeTooHigh.
+  /// kRegionUnbounded where a conic or its part has points at infinity, kRegionEmpty where a cut
+  /// does not meet its conic in two points, kDegreeTooHigh.
   explicit ConicSource(const std::vector<ConicSpan>& spans, std::vector<std::string> notes = {});
 
   std::array<int, 2> degree() const override;
@@ -31,7 +34,7 @@ class ConicSource : public SectionSource {
   std::vector<std::string> notes() const override { return notes_; }
 
  private:
-  EllipseChain chain_;
+  ConicChain chain_;
   std::vector<std::string> notes_;
 };
 

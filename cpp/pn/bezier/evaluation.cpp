@@ -81,8 +81,9 @@ std::array<double, 3> SurfaceEvaluation::normal(double u, double v) const {
                         by_u = combination(at, at.along.slopes, at.around.values),
                         by_v = combination(at, at.along.values, at.around.slopes);
   const Eigen::Vector3d point = x.head<3>() / x[3];
-  const Eigen::Vector3d n =
-      (by_u.head<3>() - by_u[3] * point).cross(by_v.head<3>() - by_v[3] * point);
+  const Eigen::Vector3d along = (by_u.head<3>() - by_u[3] * point) / x[3],
+                        around = (by_v.head<3>() - by_v[3] * point) / x[3];
+  const Eigen::Vector3d n = along.cross(around);
   return {n[0], n[1], n[2]};
 }
 

@@ -30,8 +30,10 @@ struct Certificate {
 };
 
 struct SurfacePoint {
-  std::array<double, 3> point;   ///< [mm]
-  std::array<double, 3> normal;  ///< unit, away from the spine
+  std::array<double, 3> point;  ///< [mm]
+  /// Unit, away from the spine; of the derivatives where no rational one is known, and not a number
+  /// where these are dependent.
+  std::array<double, 3> normal;
 };
 
 class PNSurface {
@@ -58,7 +60,7 @@ class PNSurface {
   /// Points and normals of the even faces at their parameters, t along and v in [0, 4] around. Face
   /// by face t runs over the spine's parameters; in between it is the spine's own one, except where
   /// the radius changes so quickly that D has odd real roots. Zones at corners have no parameter on
-  /// the spine.
+  /// the spine. Across bands v is in [0, 1].
   std::vector<SurfacePoint> evaluate(const std::vector<double>& t,
                                      const std::vector<double>& v) const;
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "pn/algebra/parallel.hpp"
 #include "pn/algebra/roots.hpp"
@@ -25,20 +24,21 @@ constexpr int kNegligibleBits = 90;
 /// The arithmetic of the bounds below rounds by a few hundred units in the last place at most.
 constexpr double kRoundingOfBounds = 1 + 1e-12;
 
-double rounded_coordinate(const RealBall& x, double size) {
-  if (const auto nearest = x.rounded()) return *nearest;
-  if (x.magnitude_upper() <= std::ldexp(size, -kNegligibleBits)) return 0;
+/// A double for an exact number, and how far they are from each other at most.
+struct RoundedNumber {
+  double value, error;
+};
+
+RoundedNumber rounded_coordinate(const RealBall& x, double size) {
+  if (const auto nearest = x.rounded()) return {*nearest, x.rounding_error()};
+  const double magnitude = x.magnitude_upper();
+  if (magnitude <= std::ldexp(size, -kNegligibleBits)) return {0, magnitude};
   throw Undecided("the last place of a pole");
 }
 
-double rounded_weight(const RealBall& x) {
-  if (const auto nearest = x.rounded()) return *nearest;
+RoundedNumber rounded_weight(const RealBall& x) {
+  if (const auto nearest = x.rounded()) return {*nearest, x.rounding_error()};
   throw Undecided("the last place of a weight");
-}
-
-double unit_in_last_place(double x) {
-  x = std::abs(x);
-  return std::nextafter(x, std::numeric_limits<double>::infinity()) - x;
 }
 
 using Point = std::array<double, 3>;
@@ -51,9 +51,13 @@ std::array<RealBall, 3> pole_at(const NetPole& pole, const RealBall& distance) {
           pole.point[2] + distance * pole.direction[2]};
 }
 
-/// How far a pole that replaces another lies from it, and by what factor their weights differ.
+/// How far one pole lies from another, and by what part their weights differ.
 struct Difference {
   double pole = 0, weight = 0;
+  void include(const Difference& other) {
+    pole = std::max(pole, other.pole);
+    weight = std::max(weight, other.weight);
+  }
 };
 
 Difference difference(const NetPole& own, const NetPole& shared, const RealBall& distance) {
@@ -75,18 +79,35 @@ struct Box {
   double diagonal() const { return length({high[0] - low[0], high[1] - low[1], high[2] - low[2]}); }
 };
 
-/// The largest diagonal of the boxes around the poles that are active on one knot span along the
-/// spine.
+/// The indices of the control points that are active on one span of such knots.
+struct ActiveRange {
+  std::size_t begin, end;
+};
+
+std::vector<ActiveRange> active_ranges(int degree, const std::vector<int>& multiplicities) {
+  std::vector<ActiveRange> ranges;
+  std::size_t end = 0;
+  for (std::size_t span = 0; span + 1 < multiplicities.size(); ++span) {
+    end += static_cast<std::size_t>(multiplicities[span]);
+    ranges.push_back({end - static_cast<std::size_t>(degree) - 1, end});
+  }
+  return ranges;
+}
+
+/// The largest diagonal of the boxes around the poles that are active on one span of both knot
+/// vectors.
 double active_diameter(const BSplineSurface& surface) {
   const std::size_t columns = surface.v_count();
+  const auto across = active_ranges(surface.v_degree, surface.v_multiplicities);
   double diameter = 0;
-  std::size_t last = 0;
-  for (std::size_t span = 0; span + 1 < surface.u_knots.size(); ++span) {
-    last += static_cast<std::size_t>(surface.u_multiplicities[span]);
-    const std::size_t end = last, begin = end - static_cast<std::size_t>(surface.u_degree) - 1;
-    Box box;
-    for (std::size_t i = begin * columns; i < end * columns; ++i) box.add(surface.poles[i]);
-    diameter = std::max(diameter, box.diagonal());
+  for (const ActiveRange& u : active_ranges(surface.u_degree, surface.u_multiplicities)) {
+    for (const ActiveRange& v : across) {
+      Box box;
+      for (std::size_t i = u.begin; i < u.end; ++i) {
+        for (std::size_t j = v.begin; j < v.end; ++j) box.add(surface.poles[i * columns + j]);
+      }
+      diameter = std::max(diameter, box.diagonal());
+    }
   }
   return diameter;
 }
@@ -103,14 +124,6 @@ double estimated_size(const FaceNet& face, double distance) {
   return size;
 }
 
-/// How far a rounded pole is from the true one at most.
-double rounding_error(const Point& pole, double size) {
-  const double negligible = std::ldexp(size, -kNegligibleBits);
-  return length({std::max(unit_in_last_place(pole[0]), negligible),
-                 std::max(unit_in_last_place(pole[1]), negligible),
-                 std::max(unit_in_last_place(pole[2]), negligible)});
-}
-
 RoundedFace rounded(const FaceNet& face, double exact_distance) {
   const RealBall distance(exact_distance);
   BSplineSurface surface = face.frame;
@@ -118,20 +131,26 @@ RoundedFace rounded(const FaceNet& face, double exact_distance) {
   const double size = estimated_size(face, exact_distance);
   surface.poles.resize(face.poles.size());
   surface.weights.resize(face.poles.size());
+  std::vector<Difference> rounding(rows);
   for_each_index_in_blocks(rows, kRowsPerTask, [&](std::size_t row) {
     for (std::size_t i = row * columns; i < (row + 1) * columns; ++i) {
       const auto pole = pole_at(face.poles[i], distance);
-      for (std::size_t c = 0; c < 3; ++c) surface.poles[i][c] = rounded_coordinate(pole[c], size);
-      surface.weights[i] = rounded_weight(face.poles[i].weight);
+      Point errors;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const RoundedNumber coordinate = rounded_coordinate(pole[c], size);
+        surface.poles[i][c] = coordinate.value;
+        errors[c] = coordinate.error;
+      }
+      const RoundedNumber weight = rounded_weight(face.poles[i].weight);
+      surface.weights[i] = weight.value;
+      rounding[row].include({length(errors), weight.error / (weight.value - weight.error)});
     }
   });
-  double delta = 0;
-  for (const Point& pole : surface.poles) delta = std::max(delta, rounding_error(pole, size));
+  Difference rounded;
+  for (const Difference& row : rounding) rounded.include(row);
   Difference largest;
   const auto compare = [&](const NetPole& own, const NetPole& shared) {
-    const Difference d = difference(own, shared, distance);
-    largest.pole = std::max(largest.pole, d.pole);
-    largest.weight = std::max(largest.weight, d.weight);
+    largest.include(difference(own, shared, distance));
   };
   for (std::size_t j = 0; j < face.replaced_first.size(); ++j) {
     compare(face.replaced_first[j], face.poles[j]);
@@ -139,8 +158,8 @@ RoundedFace rounded(const FaceNet& face, double exact_distance) {
   for (std::size_t j = 0; j < face.replaced_last.size(); ++j) {
     compare(face.replaced_last[j], face.poles[face.poles.size() - face.replaced_last.size() + j]);
   }
-  delta += largest.pole;
-  const double epsilon = std::numeric_limits<double>::epsilon() + 2 * largest.weight;
+  const double delta = rounded.pole + largest.pole;
+  const double epsilon = rounded.weight + 2 * largest.weight;
   // The theorem asks for eps < 1: rows whose weights differ by more do not make one edge.
   if (!(epsilon < 1)) {
     throw GeometryError(ErrorCode::kWeightsNotPositive,

@@ -172,14 +172,17 @@ std::optional<OpenInterval> interval_without_real_points(const ConicFamily& fami
   return without_real_points(family, det, numbers_between_real_roots(det));
 }
 
+std::string description(const OpenInterval& interval) {
+  return interval.begin && interval.end
+             ? "between t = " + shown(*interval.begin) + " and " + shown(*interval.end)
+         : interval.begin ? "for t > " + shown(*interval.begin)
+         : interval.end   ? "for t < " + shown(*interval.end)
+                          : std::string("for all t");
+}
+
 void refuse_without_real_points(const OpenInterval& interval) {
-  const std::string where =
-      interval.begin && interval.end
-          ? "between t = " + shown(*interval.begin) + " and " + shown(*interval.end)
-      : interval.begin ? "for t > " + shown(*interval.begin)
-      : interval.end   ? "for t < " + shown(*interval.end)
-                       : std::string("for all t");
-  throw GeometryError(ErrorCode::kNoRealPoints, "The conics have no real points " + where + ".");
+  throw GeometryError(ErrorCode::kNoRealPoints,
+                      "The conics have no real points " + description(interval) + ".");
 }
 
 }  // namespace pn

@@ -16,6 +16,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "pn/algebra/rational_polynomial.hpp"
@@ -78,6 +79,9 @@ std::optional<OpenInterval> interval_without_real_points(const ConicFamily& fami
                                                          const Rational& end);
 /// The same on the whole line.
 std::optional<OpenInterval> interval_without_real_points(const ConicFamily& family);
+
+/// Such as "between t = 1 and 2", "for t > 3", "for all t".
+std::string description(const OpenInterval& interval);
 
 /// Throws GeometryError kNoRealPoints with a sentence that names the interval.
 [[noreturn]] void refuse_without_real_points(const OpenInterval& interval);

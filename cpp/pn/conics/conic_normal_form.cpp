@@ -77,4 +77,41 @@ std::optional<QuadraticColumns> points_of_constant_conic(const Matrix3<RealBall>
   return points;
 }
 
+Matrix3<Rational> points_of_constant_conic(const Matrix3<Rational>& conic,
+                                           const Vector3<Rational>& point) {
+  Vector3<Rational> tangent;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) tangent[i] += conic[i][j] * point[j];
+  }
+  // w2 = e_k is off the tangent; w1 is on it, and not the point, whose coordinate j is not zero.
+  std::size_t k = 0;
+  while (tangent[k].is_zero()) ++k;
+  std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+  if (point[j].is_zero()) std::swap(i, j);
+  Vector3<Rational> w1, w2;
+  w1[i] = tangent[k];
+  w1[k] = -tangent[i];
+  w2[k] = Rational(1);
+  const auto q = [&](const Vector3<Rational>& v, const Vector3<Rational>& w) {
+    Rational sum;
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t b = 0; b < 3; ++b) sum += v[a] * conic[a][b] * w[b];
+    }
+    return Form<Rational>::constant(sum);
+  };
+  UnbalancedLattice<Rational> lattice{{}, tangent[k], q(w1, w1)[0], q(w1, w2), q(w2, w2)};
+  for (std::size_t row = 0; row < 3; ++row) {
+    lattice.basis[row] = {Form<Rational>::constant(point[row]), Form<Rational>::constant(w1[row]),
+                          Form<Rational>::constant(w2[row])};
+  }
+  Matrix3<Rational> points;
+  const Matrix3<Form<Rational>> forms = points_of_unbalanced_lattice(lattice);
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      points[row][column] = forms[row][column][0];
+    }
+  }
+  return points;
+}
+
 }  // namespace pn

@@ -11,7 +11,8 @@
 //
 //     -(beta / 2 alpha) u0^2 w0 + u0 u1 w1 + u1^2 w2,
 //
-// without any square root. The degree in t is m + a.
+// without any square root. The degree in t is m + a. For a = 0 the same holds with a rational point
+// w0 of the constant conic, w1 on its tangent and w2 off it.
 #pragma once
 
 #include <array>
@@ -28,6 +29,10 @@ using QuadraticColumns = Matrix3<RealBall>;
 /// The points of a constant conic; nothing when the balls do not prove that it is indefinite and
 /// not singular.
 std::optional<QuadraticColumns> points_of_constant_conic(const Matrix3<RealBall>& conic);
+
+/// The same from a rational point of the conic, over Q.
+Matrix3<Rational> points_of_constant_conic(const Matrix3<Rational>& conic,
+                                           const Vector3<Rational>& point);
 
 /// What an unbalanced lattice needs: its columns in ascending degree, and the forms of Q.
 template <class T>

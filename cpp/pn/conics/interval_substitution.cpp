@@ -37,18 +37,26 @@ IntervalSubstitution substitution(const Enclosure& e) {
   return {RationalPolynomial(e.r1) * p + RationalPolynomial(e.r2) * q, p + q, 2};
 }
 
-/// The widest one that has real points throughout.
+/// The widest of some that have real points throughout. Where dt/ds would vanish, at an end that is
+/// r1 or r2 itself, only if the conics end there.
 std::optional<Enclosure> regular_enclosure(const ConicFamily& family, const Rational& begin,
                                            const Rational& end) {
-  // r1 and r2 lie beyond the interval by about 1 / beta^2 of it.
-  constexpr long kLargestBeta = 1L << 12;
+  // r1 and r2 lie beyond the interval by about 1 / beta^2 of it, at last by less than its rounding.
+  constexpr long kBetas[] = {2, 4, 16, 256, 1L << 16, 1L << 32};
   const Rational zero(0), one(1);
-  for (long b = 2; b <= kLargestBeta; b *= 2) {
-    const Rational beta(b);
-    for (const auto& start : {std::array{beta, one}, {one, zero}}) {
-      for (const auto& stop : {std::array{one, beta}, {zero, one}}) {
+  const RationalPolynomial det = determinant(family.matrix);
+  for (const bool ends_at_end : {false, true}) {
+    for (const bool ends_at_begin : {false, true}) {
+      if (ends_at_begin && !det(begin).is_zero()) continue;
+      if (ends_at_end && !det(end).is_zero()) continue;
+      for (const long b : kBetas) {
+        const Rational beta(b);
+        const std::array<Rational, 2> start = {ends_at_begin ? one : beta,
+                                               ends_at_begin ? zero : one};
+        const std::array<Rational, 2> stop = {ends_at_end ? zero : one, ends_at_end ? one : beta};
         Enclosure found = enclosure(begin, end, {start, stop});
         if (!interval_without_real_points(family, found.r1, found.r2)) return found;
+        if (ends_at_begin && ends_at_end) break;
       }
     }
   }

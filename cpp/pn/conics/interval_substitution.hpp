@@ -9,8 +9,9 @@
 // takes only values between r1 and r2, for linear p, q in s. (M. Peternell, dissertation TU Wien
 // 1997, (1.27).) With (p : q) = (beta : 1) at s = 0 and (1 : beta) at s = 1 the ends of the
 // interval are s = 0 and 1 exactly, and r1, r2 are rational and close in on it as beta grows. If
-// the conics end at an end of the interval itself, r1 or r2 is that end: (1 : 0) or (0 : 1). All
-// degrees in t are doubled.
+// the conics end at an end of the interval itself, r1 or r2 is that end: (1 : 0) or (0 : 1). Ends
+// are rational, so an irrational zero of det C lies beyond them, and some rational r1, r2 lie
+// before it; algebraic ones are never needed. All degrees in t are doubled.
 #pragma once
 
 #include "pn/conics/conic_family.hpp"

@@ -250,7 +250,7 @@ LineChoice recognized(const std::vector<LinePair>& pairs, const std::vector<Chos
 
 LineConditions::LineConditions(const RationalSteps& steps, std::vector<LinePair> pairs,
                                long precision)
-    : pairs_(std::move(pairs)), column_degree_(steps.lattice.degree()) {
+    : pairs_(std::move(pairs)), precision_(precision), column_degree_(steps.lattice.degree()) {
   const RationalLattice& lattice = steps.lattice;
   const Vector3<int>& e = column_degree_;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -265,16 +265,22 @@ LineConditions::LineConditions(const RationalSteps& steps, std::vector<LinePair>
   m_ = (e[0] + e[1] + e[2] + rows_) / 3;
 }
 
-bool LineConditions::has_real_places() const {
-  return std::any_of(pairs_.begin(), pairs_.end(), [](const LinePair& p) { return p.is_real(); });
+bool LineConditions::has_real_lines() const {
+  return std::any_of(pairs_.begin(), pairs_.end(),
+                     [](const LinePair& pair) { return pair.kind == LinePair::Kind::kRealLines; });
 }
 
-/// A basis of the vectors y on the chosen lines, when the rank is the number of rows less the
-/// defect.
+/// A basis of the vectors y on the chosen lines, when they have this dimension.
 std::optional<std::vector<LineConditions::Vector>> LineConditions::on_lines(
-    const LineChoice& choice, int degree, int rank_defect) const {
+    const LineChoice& choice, int degree, std::size_t dimension) const {
   Vector3<int> d;
-  for (std::size_t i = 0; i < 3; ++i) d[i] = degree - column_degree_[i];
+  std::size_t unknowns = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    d[i] = degree - column_degree_[i];
+    unknowns += static_cast<std::size_t>(std::max(d[i] + 1, 0));
+  }
+  const auto most = static_cast<std::size_t>(rows_) + dimension;
+  if (unknowns < dimension || unknowns > most) return std::nullopt;
   std::vector<std::vector<RealBall>> rows;
   const auto add_conditions = [&](const LinePair& pair, std::size_t line, int count) {
     for (int order = 0; order < count; ++order) {
@@ -292,7 +298,7 @@ std::optional<std::vector<LineConditions::Vector>> LineConditions::on_lines(
       add_conditions(pair, 1, pair.multiplicity - choice[i]);
     }
   }
-  const auto solutions = kernel(std::move(rows), static_cast<std::size_t>(rows_ - rank_defect));
+  const auto solutions = kernel(std::move(rows), unknowns - dimension);
   if (!solutions) return std::nullopt;
   std::vector<Vector> vectors;
   for (const std::vector<RealBall>& solution : *solutions) {
@@ -336,31 +342,50 @@ LineConditions::Vector LineConditions::point(const Vector& y) const {
 
 namespace {
 
-/// Of some places on the line the one with the largest distance from all roots, seen on the circle.
-long ordinary_place(const std::vector<LinePair>& pairs) {
-  const auto clearance = [&](long t) {
-    double least = 1 / std::hypot(1.0, t);
-    for (const LinePair& pair : pairs) {
-      if (!pair.place) continue;
-      const Complex c = pair.place->midpoint();
-      const double distance = std::abs(c - static_cast<double>(t));
-      least = std::min(least, distance / (std::hypot(1.0, t) * std::hypot(1.0, std::abs(c))));
-    }
-    return least;
-  };
-  long best = 0;
-  for (const long t : {1L, -1L, 2L, -2L, 5L, -5L}) {
-    if (clearance(t) > clearance(best)) best = t;
+/// Seen on the circle, the distance of a place from all others and from infinity.
+double clearance(const std::vector<LinePair>& pairs, long t) {
+  double least = 1 / std::hypot(1.0, t);
+  for (const LinePair& pair : pairs) {
+    if (!pair.place) continue;
+    const Complex c = pair.place->midpoint();
+    const double distance = std::abs(c - static_cast<double>(t));
+    least = std::min(least, distance / (std::hypot(1.0, t) * std::hypot(1.0, std::abs(c))));
   }
-  return best;
+  return least;
+}
+
+/// Of some integers those with the largest distances from all places.
+std::vector<long> ordinary_places(const std::vector<LinePair>& pairs, int count) {
+  std::vector<long> places;
+  for (long t = -count - 2; t <= count + 2; ++t) places.push_back(t);
+  std::sort(places.begin(), places.end(),
+            [&](long a, long b) { return clearance(pairs, a) > clearance(pairs, b); });
+  places.resize(static_cast<std::size_t>(count));
+  return places;
+}
+
+/// The form with these values at as many integers, by Newton's divided differences.
+Form<RealBall> interpolated(const std::vector<long>& places, std::vector<RealBall> values) {
+  const std::size_t n = values.size();
+  for (std::size_t order = 1; order < n; ++order) {
+    for (std::size_t i = n; i-- > order;) {
+      values[i] = (values[i] - values[i - 1]) / RealBall(places[i] - places[i - order]);
+    }
+  }
+  auto result = Form<RealBall>::constant(values[n - 1]);
+  for (std::size_t i = n - 1; i-- > 0;) {
+    result = result * Form<RealBall>({RealBall(-places[i]), RealBall(1)});
+    result[0] += values[i];
+  }
+  return result;
 }
 
 }  // namespace
 
 std::optional<QuadraticPoints> LineConditions::balanced_points(const LineChoice& choice) const {
-  const auto y = on_lines(choice, m_, 0);
-  if (!y || y->size() != 3) return std::nullopt;
-  const long t = ordinary_place(pairs_);
+  const auto y = on_lines(choice, m_, 3);
+  if (!y) return std::nullopt;
+  const long t = ordinary_places(pairs_, 1).front();
   Matrix3<RealBall> conic;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) conic[i][j] = quotient((*y)[i], (*y)[j], t);
@@ -377,35 +402,111 @@ std::optional<QuadraticPoints> LineConditions::balanced_points(const LineChoice&
   return result;
 }
 
-std::optional<QuadraticPoints> LineConditions::unbalanced_points(const LineChoice& choice) const {
-  const auto low = on_lines(choice, m_ - 1, 1);
-  const auto middle = on_lines(choice, m_, 0);
-  const auto high = on_lines(choice, m_ + 1, 0);
-  if (!low || !middle || !high || low->size() != 1) return std::nullopt;
-  // g has no real zeros here.
-  const Vector& w0 = low->front();
+std::optional<QuadraticPoints> LineConditions::unbalanced_points(const LineChoice& choice,
+                                                                 int splitting) const {
+  const auto a = static_cast<std::size_t>(splitting);
+  const auto low = on_lines(choice, m_ - splitting, 1);
+  const auto middle = on_lines(choice, m_, a + 2);
+  const auto high = on_lines(choice, m_ + splitting, 3 * a + 3);
+  if (!low || !middle || !high) return std::nullopt;
+  const std::vector<long> places = ordinary_places(pairs_, 2 * splitting + 1);
   const auto largest = [](const std::vector<Vector>& from, const auto& measure) {
-    return *std::max_element(from.begin(), from.end(), [&](const Vector& a, const Vector& b) {
-      return std::abs(measure(a).midpoint()) < std::abs(measure(b).midpoint());
+    return *std::max_element(from.begin(), from.end(), [&](const Vector& x, const Vector& y) {
+      return std::abs(measure(x).midpoint()) < std::abs(measure(y).midpoint());
     });
   };
-  const Vector w1 = largest(*middle, [&](const Vector& y) { return quotient(y, y, 0); });
-  const Vector w2 = largest(*high, [&](const Vector& y) { return quotient(w0, y, 0); });
+  const auto with = [&](const Vector& x) {
+    return [&](const Vector& y) { return quotient(x, y, places.front()); };
+  };
+  const Vector& w0 = low->front();
+  const Vector w1 = largest(*middle, [&](const Vector& y) { return with(y)(y); });
+  const Vector w2 = largest(*high, with(w0));
   UnbalancedLattice<RealBall> lattice;
-  lattice.alpha = quotient(w0, w2, 0);
-  lattice.beta = quotient(w1, w1, 0);
+  lattice.alpha = with(w0)(w2);
+  lattice.beta = with(w1)(w1);
   if (lattice.alpha.contains_zero() || lattice.beta.contains_zero()) return std::nullopt;
-  // By their values at 0, 1, -1.
-  const RealBall half(0.5);
-  const RealBall linear_at_0 = quotient(w1, w2, 0);
-  lattice.q12 = Form<RealBall>({linear_at_0, quotient(w1, w2, 1) - linear_at_0});
-  const RealBall at_0 = quotient(w2, w2, 0), at_1 = quotient(w2, w2, 1);
-  const RealBall at_minus_1 = quotient(w2, w2, -1);
-  lattice.q22 =
-      Form<RealBall>({at_0, (at_1 - at_minus_1) * half, (at_1 + at_minus_1) * half - at_0});
+  const auto form_of = [&](const Vector& x, const Vector& y, std::size_t degree) {
+    std::vector<RealBall> values;
+    for (std::size_t i = 0; i <= degree; ++i) values.push_back(quotient(x, y, places[i]));
+    return interpolated(places, std::move(values));
+  };
+  lattice.q12 = form_of(w1, w2, a);
+  lattice.q22 = form_of(w2, w2, 2 * a);
   const Vector p0 = point(w0), p1 = point(w1), p2 = point(w2);
   for (std::size_t i = 0; i < 3; ++i) lattice.basis[i] = {p0[i], p1[i], p2[i]};
-  return QuadraticPoints{points_of_unbalanced_lattice(lattice), m_ + 1};
+  return QuadraticPoints{points_of_unbalanced_lattice(lattice), m_ + splitting};
+}
+
+PointInBalls LineConditions::lowest_column(const LineChoice& choice) const {
+  int degree = m_;
+  while (!on_lines(choice, degree - 1, 0)) --degree;
+  const auto column = on_lines(choice, degree, 1);
+  if (degree == m_ || !column) throw Undecided("the lowest curve on a family of conics");
+  return {column->front(), degree};
+}
+
+PointInBalls LineConditions::in_balls(const LatticePoint& point) const {
+  PointInBalls result{{}, point.degree};
+  for (std::size_t j = 0; j < 3; ++j) {
+    result.coordinate[j] = form(point.coordinate[j], point.degree - column_degree_[j], precision_);
+  }
+  return result;
+}
+
+namespace {
+
+/// l.w modulo tau^p, for both lines.
+std::array<Jet, 2> values_on_lines(const LinePair& pair, const PointInBalls& w) {
+  const auto p = static_cast<std::size_t>(pair.multiplicity);
+  std::array<Jet, 2> values = {Jet(p), Jet(p)};
+  for (std::size_t j = 0; j < 3; ++j) {
+    const Jet y = jet(w.coordinate[j], pair.place, pair.multiplicity);
+    for (std::size_t k = 0; k < 2; ++k) values[k] = sum(values[k], product(pair.line[k][j], y));
+  }
+  return values;
+}
+
+/// The first order with a coefficient certainly different from zero, at most p.
+int certain_order(const Jet& values) {
+  const auto nonzero = std::find_if(values.begin(), values.end(),
+                                    [](const ComplexBall& x) { return !x.contains_zero(); });
+  return static_cast<int>(nonzero - values.begin());
+}
+
+}  // namespace
+
+/// The orders i and j of l1.w and l2.w have i + j >= p, and i = 0, j = 0 or i + j = p.
+LineChoice LineConditions::choice_through(const PointInBalls& w) const {
+  LineChoice choice;
+  for (const LinePair& pair : pairs_) {
+    const auto [on_first, on_second] = values_on_lines(pair, w);
+    const int i = certain_order(on_first), j = certain_order(on_second), p = pair.multiplicity;
+    if (i != 0 && j != 0 && i + j != p) throw Undecided("the line on which a curve meets a conic");
+    choice.push_back(j == 0 ? p : i);
+  }
+  return choice;
+}
+
+/// Pairs first, since a single step of sigma needs a real place.
+TurnedChoice LineConditions::turned_away(LineChoice choice, const PointInBalls& w) const {
+  int rest = m_ - w.degree;
+  const auto turn = [&](LinePair::Kind kind, int gain) {
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+      if (pairs_[k].kind != kind) continue;
+      // A multiple of w that vanishes to a higher order than it must is near to the other lattice.
+      const auto [on_first, on_second] = values_on_lines(pairs_[k], w);
+      int& i = choice[k];
+      const int p = pairs_[k].multiplicity;
+      const int up = certain_order(on_first) > i ? 0 : p - i;
+      const int down = certain_order(on_second) > p - i ? 0 : i;
+      const int steps = std::min(std::max(up, down), rest / gain);
+      i += up >= down ? steps : -steps;
+      rest -= gain * steps;
+    }
+  };
+  turn(LinePair::Kind::kComplexPlace, 2);
+  turn(LinePair::Kind::kRealLines, 1);
+  return {std::move(choice), rest};
 }
 
 }  // namespace pn

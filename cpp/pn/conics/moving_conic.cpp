@@ -34,7 +34,7 @@ Polynomial cancelling_factor(const Polynomial& a, const Polynomial& b) {
 
 /// Columns with the incidences g.w by which Euclid's algorithm goes on until only one is not zero:
 /// the others span the plane.
-std::vector<Point> kernel_of(const Point& plane) {
+std::vector<Point> spanning_points(const Point& plane) {
   std::vector<Point> columns(4);
   for (std::size_t i = 0; i < 4; ++i) columns[i][i] = Polynomial(1L);
   Point incidence = plane;
@@ -57,52 +57,6 @@ std::vector<Point> kernel_of(const Point& plane) {
   }
 }
 
-Polynomial minor(const std::array<Point, 4>& d, std::size_t row, std::size_t column) {
-  Matrix3<Polynomial> rest;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) rest[i][j] = d[i + (i >= row)][j + (j >= column)];
-  }
-  const Polynomial value = determinant(rest);
-  return (row + column) % 2 == 0 ? value : -value;
-}
-
-/// The kernel of D, of rank 3: a column of its adjugate, without common factors.
-Point plane_of(const std::array<Point, 4>& d) {
-  for (std::size_t k = 0; k < 4; ++k) {
-    Point plane;
-    Polynomial common;
-    for (std::size_t i = 0; i < 4; ++i) {
-      plane[i] = minor(d, k, i);
-      common = gcd(common, plane[i]);
-    }
-    if (common.is_zero()) continue;
-    for (Polynomial& x : plane) x = exact_quotient(x, common);
-    return plane;
-  }
-  throw GeometryError(
-      ErrorCode::kSingularConics,
-      "The matrix of the tangent planes has a rank below 3: all conics are pairs of "
-      "points.");
-}
-
-void check_tangent_planes(const std::array<Point, 4>& d) {
-  Polynomial det;
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (d[i][j] != d[j][i]) {
-        throw GeometryError(ErrorCode::kWrongShape,
-                            "The matrix of the tangent planes is not symmetric.");
-      }
-    }
-    det += d[0][i] * minor(d, 0, i);
-  }
-  if (!det.is_zero()) {
-    throw GeometryError(ErrorCode::kWrongShape,
-                        "The matrix of the tangent planes has rank 4: it describes quadrics, not "
-                        "conics.");
-  }
-}
-
 }  // namespace
 
 ConicFamily family_of(const MovingConic& conic) {
@@ -114,7 +68,7 @@ ConicFamily family_of(const MovingConic& conic) {
 }
 
 std::array<Vector3<Polynomial>, 4> plane_basis(const Point& plane) {
-  std::vector<Point> columns = kernel_of(plane);
+  std::vector<Point> columns = spanning_points(plane);
   reduce_columns(
       columns.size(), [&](std::size_t j) { return leading_term(columns[j]); },
       [&](std::size_t i, const Polynomial& factor, std::size_t j) {
@@ -127,9 +81,47 @@ std::array<Vector3<Polynomial>, 4> plane_basis(const Point& plane) {
   return basis;
 }
 
-MovingConic conic_of_tangent_planes(const std::array<Point, 4>& d) {
-  check_tangent_planes(d);
-  const Point plane = plane_of(d);
+Point join(const Point& a, const Point& b, const Point& c) {
+  Point plane;
+  for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+    Matrix3<Polynomial> rest;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t row = i + (i >= left_out);
+      rest[i] = {a[row], b[row], c[row]};
+    }
+    plane[left_out] = left_out % 2 == 0 ? determinant(rest) : -determinant(rest);
+  }
+  return plane;
+}
+
+Point kernel_of(const Matrix4OfPolynomials& matrix, const std::string& name) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (matrix[i][j] != matrix[j][i]) {
+        throw GeometryError(ErrorCode::kWrongShape, name + " is not symmetric.");
+      }
+    }
+  }
+  // A column of the adjugate: what three rows have in common.
+  for (std::size_t k = 0; k < 4; ++k) {
+    Point kernel = join(matrix[(k + 1) % 4], matrix[(k + 2) % 4], matrix[(k + 3) % 4]);
+    Polynomial common, det;
+    for (std::size_t i = 0; i < 4; ++i) {
+      common = gcd(common, kernel[i]);
+      det += matrix[k][i] * kernel[i];
+    }
+    if (!det.is_zero()) {
+      throw GeometryError(ErrorCode::kWrongShape, name + " has rank 4, not 3.");
+    }
+    if (common.is_zero()) continue;
+    for (Polynomial& x : kernel) x = exact_quotient(x, common);
+    return kernel;
+  }
+  throw GeometryError(ErrorCode::kSingularConics, name + " has a rank below 3 for all t.");
+}
+
+MovingConic conic_of_tangent_planes(const Matrix4OfPolynomials& d) {
+  const Point plane = kernel_of(d, "The matrix of the tangent planes");
   MovingConic result;
   result.frame = plane_basis(plane);
   // Without the row in which the plane is not zero, the basis stays regular.

@@ -16,6 +16,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 #include "pn/conics/conic_family.hpp"
 
@@ -39,12 +40,21 @@ struct ConicSpan {
 ConicFamily family_of(const MovingConic& conic);
 
 using Vector4OfPolynomials = std::array<RationalPolynomial, 4>;
+using Matrix4OfPolynomials = std::array<Vector4OfPolynomials, 4>;
+
+/// The plane x of three points, or the point of three planes: x.y = det(y, a, b, c).
+Vector4OfPolynomials join(const Vector4OfPolynomials& a, const Vector4OfPolynomials& b,
+                          const Vector4OfPolynomials& c);
+
+/// The kernel of a symmetric matrix of rank 3, without common zeros. Throws GeometryError when the
+/// matrix is another one, with sentences that begin with `name`.
+Vector4OfPolynomials kernel_of(const Matrix4OfPolynomials& matrix, const std::string& name);
 
 /// The basis b of the theorem for a plane that is not zero.
 std::array<Vector3<RationalPolynomial>, 4> plane_basis(const Vector4OfPolynomials& plane);
 
 /// The conics of the planes (e1, e2, e3, e4), e1 x + e2 y + e3 z + e4 = 0, with e^T D e = 0. Throws
 /// GeometryError when D is not symmetric or not of rank 3.
-MovingConic conic_of_tangent_planes(const std::array<Vector4OfPolynomials, 4>& d);
+MovingConic conic_of_tangent_planes(const Matrix4OfPolynomials& d);
 
 }  // namespace pn

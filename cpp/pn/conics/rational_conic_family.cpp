@@ -2,9 +2,9 @@
 #include "pn/conics/rational_conic_family.hpp"
 
 #include <algorithm>
-#include <random>
 
 #include "pn/algebra/precision.hpp"
+#include "pn/algebra/rational_point_on_conic.hpp"
 #include "pn/conics/conic_normal_form.hpp"
 #include "pn/conics/nappe_transport.hpp"
 
@@ -35,26 +35,31 @@ int lower_degrees(const RationalLattice& a, const RationalLattice& b) {
   return squares_of_degrees(a) <= squares_of_degrees(b) ? 0 : 1;
 }
 
-/// The steps over Q, by a few choices where nothing else is free; the one of least degree.
-RationalSteps best_rational_steps(const ConicFamily& family, const SingularConics& singular,
-                                  int least_degree) {
-  constexpr int kAttempts = 8;
-  const auto steps = [&](const ChooseLattice& choose) {
-    return rational_steps(family, singular, choose, MultipleIrrational::kTakeBoth);
+Vector3<Polynomial> lowest_column(const RationalLattice& lattice) {
+  const std::size_t low = ascending(lattice.degree()).front();
+  const auto& p = lattice.basis();
+  return {p[0][low], p[1][low], p[2][low]};
+}
+
+/// At each place the line on which the point does not lie, as long as its degree stays below m + 1.
+ChooseLattice away_from(const Vector3<Polynomial>& point, int m) {
+  return [=](const RationalLattice& a, const RationalLattice& b) {
+    const int degree_in_a = in_lattice(a, point).degree, degree_in_b = in_lattice(b, point).degree;
+    if (degree_in_a == degree_in_b) return lower_degrees(a, b);
+    const int farther = degree_in_a > degree_in_b ? 0 : 1;
+    return std::max(degree_in_a, degree_in_b) <= m ? farther : 1 - farther;
   };
-  RationalSteps best = steps(lower_degrees);
-  const auto is_final = [&] {
-    return best.choices == 0 || !best.left.empty() || highest(best.lattice) == least_degree;
-  };
-  std::mt19937 generator;
-  const auto any = [&](const RationalLattice&, const RationalLattice&) {
-    return static_cast<int>(generator() % 2);
-  };
-  for (int attempt = 1; attempt < kAttempts && !is_final(); ++attempt) {
-    RationalSteps other = steps(any);
-    if (highest(other.lattice) < highest(best.lattice)) best = std::move(other);
-  }
-  return best;
+}
+
+/// The steps over Q. If they lead to a > 0 their lowest column tells how to turn the choices
+/// (line_conditions.hpp); conjugate zeros turn together here.
+RationalSteps least_rational_steps(const ConicFamily& family, const SingularConics& singular,
+                                   int m) {
+  RationalSteps steps = rational_steps(family, singular, lower_degrees, Leave::kOddIrrational);
+  if (!steps.left.empty() || steps.choices == 0 || highest(steps.lattice) == m) return steps;
+  RationalSteps turned = rational_steps(
+      family, singular, away_from(lowest_column(steps.lattice), m), Leave::kOddIrrational);
+  return highest(turned.lattice) < highest(steps.lattice) ? turned : steps;
 }
 
 Form<Rational> form(const Polynomial& p, int degree) {
@@ -80,6 +85,42 @@ UnbalancedLattice<Rational> unbalanced(const RationalLattice& lattice) {
   return result;
 }
 
+Matrix3<Rational> constant_conic(const RationalLattice& lattice) {
+  Matrix3<Rational> conic;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) conic[i][j] = lattice.conic()[i][j].coefficient(0);
+  }
+  return conic;
+}
+
+/// Points of the lattice from those of a constant conic; `number` makes a T of a rational number.
+template <class T, class Number>
+Matrix3<Form<T>> times_columns(const RationalLattice& lattice, const Matrix3<T>& columns,
+                               const Number& number) {
+  Matrix3<Form<T>> points;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      std::vector<T> column;
+      const int degree = lattice.degree()[j] - lattice.row_degree()[i];
+      const Form<Rational> exact = form(lattice.basis()[i][j], degree);
+      for (const Rational& c : exact.coefficients()) column.push_back(number(c));
+      for (std::size_t k = 0; k < 3; ++k) points[i][k] += Form<T>(column) * columns[j][k];
+    }
+  }
+  return points;
+}
+
+/// Of a lattice that is rational to the end, if they are over Q.
+std::optional<Matrix3<Form<Rational>>> points_over_rationals(const RationalLattice& lattice,
+                                                             int m) {
+  if (highest(lattice) > m) return points_of_unbalanced_lattice(unbalanced(lattice));
+  const Matrix3<Rational> conic = constant_conic(lattice);
+  const PointOnConic found = rational_point_on_conic(conic);
+  if (found.points != RationalPoints::kExist) return std::nullopt;
+  return times_columns(lattice, points_of_constant_conic(conic, found.point),
+                       [](const Rational& x) { return x; });
+}
+
 /// Written with the degree n in t.
 template <class T>
 void elevate(Matrix3<Form<T>>& points, int degree, const Vector3<int>& row_degree) {
@@ -88,44 +129,48 @@ void elevate(Matrix3<Form<T>>& points, int degree, const Vector3<int>& row_degre
   }
 }
 
-/// The choice number `attempt`: the first lines, then with another one at the last real place,
-/// which changes the parity, then any.
-LineChoice line_choice(const std::vector<LinePair>& pairs, unsigned attempt) {
-  LineChoice choice;
-  for (const LinePair& pair : pairs) choice.push_back(pair.multiplicity);
-  if (attempt == 1) {
-    const auto real = std::find_if(pairs.rbegin(), pairs.rend(), [](const LinePair& pair) {
-      return pair.kind == LinePair::Kind::kRealLines;
-    });
-    if (real != pairs.rend()) --choice[static_cast<std::size_t>(pairs.rend() - real) - 1];
-  } else if (attempt > 1) {
-    std::mt19937 generator(attempt);
-    for (int& conditions : choice) {
-      conditions = static_cast<int>(generator() % static_cast<unsigned>(conditions + 1));
-    }
-  }
-  return choice;
+std::optional<QuadraticPoints> points_of(const LineConditions& conditions, const LineChoice& choice,
+                                         int splitting) {
+  return splitting == 0 ? conditions.balanced_points(choice)
+                        : conditions.unbalanced_points(choice, splitting);
 }
 
-struct DecidedChoice {
+/// A choice of lines and its points, which prove the degree.
+struct ProvedChoice {
   LineChoice choice;
-  int degree;
+  QuadraticPoints points;
 };
 
-/// A choice of lines of degree m, or m + 1 if the parity is odd. Throws Undecided.
-DecidedChoice best_line_choice(const RationalSteps& steps, const LineConditions& conditions) {
-  constexpr unsigned kAttempts = 32;
-  const int m = conditions.least_degree();
-  const LineChoice first = line_choice(conditions.pairs(), 0);
-  if (conditions.balanced_points(first)) return {first, m};
-  const bool is_odd = !conditions.has_real_places() && parity_of_splitting(steps.lattice, m) == 1;
-  for (unsigned attempt = 0; attempt < kAttempts; ++attempt) {
-    const LineChoice choice = line_choice(conditions.pairs(), attempt);
-    if (is_odd ? conditions.unbalanced_points(choice) : conditions.balanced_points(choice)) {
-      return {choice, is_odd ? m + 1 : m};
-    }
+ProvedChoice proved(const LineConditions& conditions, const LineChoice& choice, int splitting) {
+  auto points = points_of(conditions, choice, splitting);
+  if (!points) throw Undecided("the degree of a family of conics");
+  return {choice, std::move(*points)};
+}
+
+/// Where a place of odd multiplicity has irrational lines: a = 0, or a = 1 with odd parity. Throws
+/// Undecided.
+ProvedChoice balanced_choice(const RationalSteps& steps, const LineConditions& conditions) {
+  LineChoice first;
+  for (const LinePair& pair : conditions.pairs()) first.push_back(pair.multiplicity);
+  if (const auto points = conditions.balanced_points(first)) return {first, *points};
+  const int parity = conditions.has_real_lines()
+                         ? 0
+                         : parity_of_splitting(steps.lattice, conditions.least_degree());
+  if (parity == 1) {
+    if (const auto points = conditions.unbalanced_points(first, 1)) return {first, *points};
   }
-  throw Undecided("the degree of a family of conics");
+  const TurnedChoice turned = conditions.turned_away(first, conditions.lowest_column(first));
+  return proved(conditions, turned.choice, parity);
+}
+
+/// Where a curve runs on the conics, over Q: the least a of all choices at single zeros, or nothing
+/// if it is not below `splitting`. Throws Undecided.
+std::optional<ProvedChoice> choice_away_from(const LatticePoint& curve,
+                                             const LineConditions& conditions, int splitting) {
+  const PointInBalls w = conditions.in_balls(curve);
+  const TurnedChoice turned = conditions.turned_away(conditions.choice_through(w), w);
+  if (turned.splitting >= splitting) return std::nullopt;
+  return proved(conditions, turned.choice, turned.splitting);
 }
 
 }  // namespace
@@ -136,45 +181,63 @@ RationalConicFamily::RationalConicFamily(const ConicFamily& family) {
   }
   const SingularConics singular = singular_conics(family);
   least_degree_ = pn::least_degree(family, singular);
-  RationalSteps steps = best_rational_steps(family, singular, least_degree_);
+  RationalSteps steps = least_rational_steps(family, singular, least_degree_);
   if (!steps.left.empty()) {
-    at_sufficient_precision([&](long precision) { choose_lines(steps, precision); });
-    return;
+    choose_irrational_lines(family, singular, std::move(steps));
+  } else if (highest(steps.lattice) == least_degree_ ||
+             !choose_lines_for_lower_degree(family, singular, steps)) {
+    set_rational_steps(std::move(steps));
   }
-  if (highest(steps.lattice) > least_degree_ && steps.double_points > 0 &&
-      choose_lines_for_lower_degree(family, singular, highest(steps.lattice))) {
-    return;
-  }
-  degree_ = highest(steps.lattice);
-  if (degree_ > least_degree_) {
-    rational_points_ = points_of_unbalanced_lattice(unbalanced(steps.lattice));
-    elevate(*rational_points_, degree_, steps.lattice.row_degree());
-  }
-  steps_ = std::make_shared<const RationalSteps>(std::move(steps));
 }
 
-void RationalConicFamily::choose_lines(const RationalSteps& steps, long precision) {
-  const LineConditions conditions(steps, line_pairs(steps, precision), precision);
-  const DecidedChoice best = best_line_choice(steps, conditions);
-  chosen_ = places_of(conditions.pairs(), best.choice);
-  degree_ = best.degree;
-  steps_ = std::make_shared<const RationalSteps>(steps);
+/// No point is rational. The parity is free if any place has real lines, be they rational.
+void RationalConicFamily::choose_irrational_lines(const ConicFamily& family,
+                                                  const SingularConics& singular,
+                                                  RationalSteps steps) {
+  const auto choose = [&](RationalSteps from) {
+    steps_ = std::make_shared<const RationalSteps>(std::move(from));
+    at_sufficient_precision([&](long precision) {
+      const LineConditions conditions(*steps_, line_pairs(*steps_, precision), precision);
+      ProvedChoice found = balanced_choice(*steps_, conditions);
+      in_balls_ = {std::move(found.points), precision, places_of(conditions.pairs(), found.choice)};
+    });
+    degree_ = in_balls_->points.degree;
+  };
+  const bool may_be_turned = steps.choices + steps.double_points > 0;
+  choose(std::move(steps));
+  if (degree_ == least_degree_ || !may_be_turned) return;
+  RationalSteps all = rational_steps(family, singular, lower_degrees, Leave::kEveryChoice);
+  const bool has_real_lines = at_sufficient_precision([&](long precision) {
+    return LineConditions(all, line_pairs(all, precision), precision).has_real_lines();
+  });
+  if (has_real_lines) choose(std::move(all));
 }
 
-/// Both irrational lines at once are rational, but one of them may give a lower degree. No theorem
-/// says so, so one precision must do.
+/// Other lines at single zeros than at their conjugates may give a lower degree, but no longer over
+/// Q.
 bool RationalConicFamily::choose_lines_for_lower_degree(const ConicFamily& family,
                                                         const SingularConics& singular,
-                                                        int degree) {
-  try {
-    choose_lines(rational_steps(family, singular, lower_degrees, MultipleIrrational::kLeave),
-                 2 * kLeastPrecision);
-    if (degree_ < degree) return true;
-  } catch (const Undecided&) {
-    // No choice of lower degree was proved; the rational one stands.
-  }
-  chosen_.clear();
-  return false;
+                                                        const RationalSteps& rational) {
+  if (rational.choices + rational.double_points == 0) return false;
+  auto steps = std::make_shared<const RationalSteps>(
+      rational_steps(family, singular, lower_degrees, Leave::kEveryChoice));
+  const LatticePoint curve = in_lattice(steps->lattice, lowest_column(rational.lattice));
+  return at_sufficient_precision([&](long precision) {
+    const LineConditions conditions(*steps, line_pairs(*steps, precision), precision);
+    auto found = choice_away_from(curve, conditions, highest(rational.lattice) - least_degree_);
+    if (!found) return false;
+    in_balls_ = {std::move(found->points), precision, places_of(conditions.pairs(), found->choice)};
+    steps_ = steps;
+    degree_ = in_balls_->points.degree;
+    return true;
+  });
+}
+
+void RationalConicFamily::set_rational_steps(RationalSteps steps) {
+  degree_ = highest(steps.lattice);
+  rational_points_ = points_over_rationals(steps.lattice, least_degree_);
+  if (rational_points_) elevate(*rational_points_, degree_, steps.lattice.row_degree());
+  steps_ = std::make_shared<const RationalSteps>(std::move(steps));
 }
 
 QuadraticPoints RationalConicFamily::points(long precision) const {
@@ -191,45 +254,32 @@ QuadraticPoints RationalConicFamily::points(long precision) const {
     }
     return result;
   }
-  QuadraticPoints result =
-      chosen_.empty() ? points_of_constant(precision) : points_of_choice(precision);
+  QuadraticPoints result = in_balls_ ? points_of_choice(precision) : points_of_constant(precision);
   elevate(result.coordinate, degree_, steps_->lattice.row_degree());
   return result;
 }
 
 QuadraticPoints RationalConicFamily::points_of_choice(long precision) const {
+  if (precision <= in_balls_->precision) return in_balls_->points;
   const LineConditions conditions(*steps_, line_pairs(*steps_, precision), precision);
-  const LineChoice choice = recognized(conditions.pairs(), chosen_);
-  const auto points = degree_ == least_degree_ ? conditions.balanced_points(choice)
-                                               : conditions.unbalanced_points(choice);
+  const auto points = points_of(conditions, recognized(conditions.pairs(), in_balls_->chosen),
+                                degree_ - least_degree_);
   if (!points) throw Undecided("the points of a family of conics");
   return *points;
 }
 
 QuadraticPoints RationalConicFamily::points_of_constant(long precision) const {
   const RationalLattice& lattice = steps_->lattice;
+  const Matrix3<Rational> exact = constant_conic(lattice);
   Matrix3<RealBall> conic;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      conic[i][j] = RealBall(lattice.conic()[i][j].coefficient(0), precision);
-    }
+    for (std::size_t j = 0; j < 3; ++j) conic[i][j] = RealBall(exact[i][j], precision);
   }
   const auto columns = points_of_constant_conic(conic);
   if (!columns) throw Undecided("the signs of a constant conic");
-  QuadraticPoints result{{}, degree_};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Form<Rational> w =
-          form(lattice.basis()[i][j], lattice.degree()[j] - lattice.row_degree()[i]);
-      std::vector<RealBall> balls;
-      for (const Rational& c : w.coefficients()) balls.emplace_back(c, precision);
-      const Form<RealBall> column(std::move(balls));
-      for (std::size_t k = 0; k < 3; ++k) {
-        result.coordinate[i][k] += column * (*columns)[j][k];
-      }
-    }
-  }
-  return result;
+  return {
+      times_columns(lattice, *columns, [&](const Rational& x) { return RealBall(x, precision); }),
+      degree_};
 }
 
 }  // namespace pn

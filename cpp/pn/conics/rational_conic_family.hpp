@@ -6,12 +6,12 @@
 //
 //     x(t, u) = B(t) (u0^2, u0 u1, u1^2)^T,      x^T C(t) x = 0 identically,
 //
-// and for every t where C(t) is regular u runs once through all real points of the conic. No such B
-// has a degree below m (conic_family.hpp), and none of degree m exists where the parity of the
-// family is odd (nappe_transport.hpp). If a singular conic of odd multiplicity has irrational
-// lines, n = m or, with odd parity, m + 1. Otherwise all steps are rational, and n = m + a with the
-// least a found among the choices of lines; for a > 0 B is then rational, for a = 0 up to one
-// constant diagonalization.
+// and for every t where C(t) is regular u runs once through all real points of the conic. The least
+// degree is n = m + a, m of conic_family.hpp and a the least splitting of all choices of lines of
+// the singular conics (line_conditions.hpp), which is found. If a singular conic of odd multiplicity
+// has irrational lines, a = 0, or a = 1 where the parity of the family is odd and no singular conic
+// has real lines (nappe_transport.hpp). So it is where the plane is fixed, all types are (0, b) and
+// no real singular conic has conjugate lines.
 //
 // Sources: M. Peternell, dissertation TU Wien 1997, 1.2 to 1.4, for diagonal C by an ansatz of
 // degree twice as high as a rule. The method here, without diagonalization: the points form a
@@ -42,18 +42,28 @@ class RationalConicFamily {
 
   /// B_ik, of formal degree n - f_i, enclosed at about this precision. Throws Undecided.
   QuadraticPoints points(long precision) const;
-  /// B over Q, if no root of an equation was needed.
+  /// B over Q, if there is one of this degree: no root of an equation was needed, and a constant
+  /// conic at the end has a rational point that was found (rational_point_on_conic.hpp).
   const std::optional<Matrix3<Form<Rational>>>& rational_points() const { return rational_points_; }
 
  private:
+  /// Points at the precision that proved the degree, and the lines on which they lie.
+  struct PointsInBalls {
+    QuadraticPoints points;
+    long precision;
+    std::vector<ChosenLine> chosen;
+  };
+
   QuadraticPoints points_of_choice(long precision) const;
   QuadraticPoints points_of_constant(long precision) const;
-  void choose_lines(const RationalSteps& steps, long precision);
+  void choose_irrational_lines(const ConicFamily& family, const SingularConics& singular,
+                               RationalSteps steps);
   bool choose_lines_for_lower_degree(const ConicFamily& family, const SingularConics& singular,
-                                     int degree);
+                                     const RationalSteps& rational);
+  void set_rational_steps(RationalSteps steps);
 
   std::shared_ptr<const RationalSteps> steps_;
-  std::vector<ChosenLine> chosen_;
+  std::optional<PointsInBalls> in_balls_;
   std::optional<Matrix3<Form<Rational>>> rational_points_;
   int least_degree_, degree_;
 };

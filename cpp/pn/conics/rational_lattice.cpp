@@ -2,6 +2,10 @@
 #include "pn/conics/rational_lattice.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "pn/algebra/power_of_two.hpp"
 
 namespace pn {
 namespace {
@@ -18,21 +22,19 @@ Vector3<Polynomial> double_line(const Matrix3<Polynomial>& conic) {
   });
 }
 
-/// By its absolute value.
-Rational largest_coefficient(const Polynomial& p) {
-  Rational largest;
-  for (int i = 0; i <= p.degree(); ++i) {
-    const Rational c = p.coefficient(i);
-    largest = std::max(largest, c.sign() < 0 ? -c : c);
-  }
-  return largest;
-}
-
 Matrix3<Polynomial> reduced(Matrix3<Polynomial> m, const ResidueField& field) {
   for (auto& row : m) {
     for (Polynomial& entry : row) entry = field.reduced(entry);
   }
   return m;
+}
+
+/// What makes of polynomials some whose coefficients have no common factor but a power of two, and
+/// are at most about 1: doubles look for lines later on, and long integers are too large for them.
+Polynomial to_short_numbers(const std::vector<Polynomial>& polynomials) {
+  Rational common;
+  for (const Polynomial& p : polynomials) common = gcd(common, content(p));
+  return Polynomial(power_of_two_near(common) / (common * power_of_two_near(polynomials)));
 }
 
 }  // namespace
@@ -136,8 +138,10 @@ void RationalLattice::divide(const Polynomial& factor, int times) {
 }
 
 LeadingTerm RationalLattice::leading_term(std::size_t column) const {
+  // Rows may have negative degrees, so no degree tells a zero apart.
   const auto height = [&](std::size_t i) {
-    return basis_[i][column].is_zero() ? -1 : basis_[i][column].degree() + row_degree_[i];
+    return basis_[i][column].is_zero() ? std::numeric_limits<int>::min()
+                                       : basis_[i][column].degree() + row_degree_[i];
   };
   std::size_t row = 0;
   for (std::size_t i = 1; i < 3; ++i) {
@@ -152,22 +156,41 @@ void RationalLattice::reduce() {
       3, [&](std::size_t j) { return leading_term(j); },
       [&](std::size_t i, const Polynomial& factor, std::size_t j) { add_multiple(i, factor, j); });
   for (std::size_t j = 0; j < 3; ++j) degree_[j] = leading_term(j).degree;
-  scale_to_unit();
+  make_primitive();
 }
 
-void RationalLattice::scale_to_unit() {
+void RationalLattice::make_primitive() {
   for (std::size_t j = 0; j < 3; ++j) {
-    Rational largest;
-    for (const auto& row : basis_) largest = std::max(largest, largest_coefficient(row[j]));
-    multiply(j, Polynomial(Rational(1) / largest));
+    multiply(j, to_short_numbers({basis_[0][j], basis_[1][j], basis_[2][j]}));
   }
-  Rational largest;
-  for (const auto& row : conic_) {
-    for (const Polynomial& entry : row) largest = std::max(largest, largest_coefficient(entry));
-  }
+  std::vector<Polynomial> entries;
+  for (const auto& row : conic_) entries.insert(entries.end(), row.begin(), row.end());
+  const Polynomial factor = to_short_numbers(entries);
   for (auto& row : conic_) {
-    for (Polynomial& entry : row) entry *= Polynomial(Rational(1) / largest);
+    for (Polynomial& entry : row) entry *= factor;
   }
+}
+
+/// By Cramer's rule, up to a factor.
+LatticePoint in_lattice(const RationalLattice& lattice, const Vector3<Polynomial>& point) {
+  const Matrix3<Polynomial> inverse = adjugate(lattice.basis());
+  LatticePoint result{{}, 0};
+  Polynomial common;
+  for (std::size_t j = 0; j < 3; ++j) {
+    Polynomial& y = result.coordinate[j];
+    for (std::size_t i = 0; i < 3; ++i) y += inverse[j][i] * point[i];
+    common = gcd(common, y);
+  }
+  std::optional<int> degree;
+  for (std::size_t j = 0; j < 3; ++j) {
+    Polynomial& y = result.coordinate[j];
+    if (y.is_zero()) continue;
+    y = exact_quotient(y, common);
+    const int needed = y.degree() + lattice.degree()[j];
+    degree = std::max(degree.value_or(needed), needed);
+  }
+  result.degree = *degree;
+  return result;
 }
 
 /// With v v^T = -adj M, both M + [v]_x and M - [v]_x have rank 1, and their rows are the lines.
@@ -193,7 +216,7 @@ namespace {
 
 /// The steps at one place.
 void step_down(RationalSteps& steps, const Place& place, SmithType type,
-               const ChooseLattice& choose, MultipleIrrational multiple) {
+               const ChooseLattice& choose, Leave leave) {
   RationalLattice& lattice = steps.lattice;
   for (; type.a >= 2; type.a -= 2, type.b -= 2) {
     lattice.step_onto_line(place, double_line(lattice.at(place)), 2);
@@ -205,6 +228,11 @@ void step_down(RationalSteps& steps, const Place& place, SmithType type,
     }
     p = 1;
   }
+  if (p == 0) return;
+  if (leave == Leave::kEveryChoice) {
+    steps.left.push_back({place, p});
+    return;
+  }
   const ResidueField field = field_of(place);
   while (p > 0) {
     if (const auto lines = rational_lines(lattice.at(place), field)) {
@@ -213,7 +241,7 @@ void step_down(RationalSteps& steps, const Place& place, SmithType type,
       lattice = std::move(next[choose(next[0], next[1]) == 0 ? 0 : 1]);
       ++steps.choices;
       p -= 1;
-    } else if (p >= 2 && multiple == MultipleIrrational::kTakeBoth) {
+    } else if (p >= 2) {
       lattice.step_onto_double_point(place);
       ++steps.double_points;
       p -= 2;
@@ -227,14 +255,14 @@ void step_down(RationalSteps& steps, const Place& place, SmithType type,
 }  // namespace
 
 RationalSteps rational_steps(const ConicFamily& family, const SingularConics& singular,
-                             const ChooseLattice& choose, MultipleIrrational multiple) {
+                             const ChooseLattice& choose, Leave leave) {
   RationalSteps steps{RationalLattice(family), {}, 0, 0};
   for (const SingularFactor& part : singular.finite) {
     for (const Polynomial& factor : irreducible_factors(part.factor)) {
-      step_down(steps, factor, part.type, choose, multiple);
+      step_down(steps, factor, part.type, choose, leave);
     }
   }
-  step_down(steps, std::nullopt, singular.at_infinity, choose, multiple);
+  step_down(steps, std::nullopt, singular.at_infinity, choose, leave);
   return steps;
 }
 

@@ -51,9 +51,7 @@ class RationalLattice {
   void multiply(std::size_t column, const RationalPolynomial& factor);
   void divide(const RationalPolynomial& factor, int times);
   void reduce();
-  /// Largest coefficients 1: choices are made in doubles, whose range the integers of coprime
-  /// columns exceed.
-  void scale_to_unit();
+  void make_primitive();
   LeadingTerm leading_term(std::size_t column) const;
 
   Vector3<int> row_degree_;
@@ -62,12 +60,21 @@ class RationalLattice {
   int twist_;
 };
 
+/// A point of the conics as P y, y without common zeros.
+struct LatticePoint {
+  Vector3<RationalPolynomial> coordinate;  ///< y_j, of formal degree `degree` - degree(j)
+  int degree;                              ///< of P y
+};
+
+/// The multiple of a point, polynomial and not zero, that belongs to the lattice.
+LatticePoint in_lattice(const RationalLattice& lattice, const Vector3<RationalPolynomial>& point);
+
 /// The two lines of a conic of rank 2 over the residue field, if they are defined there.
 std::optional<std::array<Vector3<RationalPolynomial>, 2>> rational_lines(
     const Matrix3<RationalPolynomial>& conic, const ResidueField& field);
 
-/// A place of type (0, p) whose two lines are irrational.
-struct IrrationalPlace {
+/// A place of type (0, p).
+struct PlaceLeft {
   Place place;
   int multiplicity;  ///< p
 };
@@ -75,20 +82,20 @@ struct IrrationalPlace {
 /// What the steps over Q lead to.
 struct RationalSteps {
   RationalLattice lattice;
-  std::vector<IrrationalPlace> left;
+  std::vector<PlaceLeft> left;
   int choices = 0;        ///< of one of two rational lines
   int double_points = 0;  ///< steps onto the double point of two irrational lines
 };
 
-/// Two irrational lines of a place with p >= 2 are taken both at once, which is rational, or are
-/// left for a choice between them.
-enum class MultipleIrrational { kTakeBoth, kLeave };
+/// What the steps leave: one condition where two lines are irrational and p is odd, since both at
+/// once are rational; or all p conditions of each place, for a choice at each of its zeros.
+enum class Leave { kOddIrrational, kEveryChoice };
 
 /// `choose` gets both lattices that rational lines lead to and returns 0 or 1.
 using ChooseLattice = std::function<int(const RationalLattice&, const RationalLattice&)>;
 
 /// All steps over Q.
 RationalSteps rational_steps(const ConicFamily& family, const SingularConics& singular,
-                             const ChooseLattice& choose, MultipleIrrational multiple);
+                             const ChooseLattice& choose, Leave leave);
 
 }  // namespace pn

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "pn/algebra/parallel.hpp"
+#include "pn/algebra/power_of_two.hpp"
 #include "pn/algebra/roots.hpp"
 #include "pn/algebra/rounded_square_root.hpp"
 #include "pn/geometry_error.hpp"
@@ -33,8 +34,9 @@ bool is_zero(const Direction& a) {
   return std::all_of(a.begin(), a.end(), [](const Polynomial& p) { return p.is_zero(); });
 }
 
+/// Without common factor, and neither very long nor very short.
 Direction coprime(const Direction& a) {
-  const Polynomial common = gcd(gcd(a[0], a[1]), a[2]);
+  const Polynomial common = gcd(gcd(a[0], a[1]), a[2]) * power_of_two_near({a[0], a[1], a[2]});
   return {exact_quotient(a[0], common), exact_quotient(a[1], common), exact_quotient(a[2], common)};
 }
 

@@ -7,7 +7,6 @@
 
 #include "pn/algebra/common_factor.hpp"
 #include "pn/algebra/parallel.hpp"
-#include "pn/algebra/rational_matrix.hpp"
 #include "pn/algebra/roots.hpp"
 #include "pn/conics/characteristic_circle.hpp"
 #include "pn/geometry_error.hpp"
@@ -143,26 +142,25 @@ std::vector<Rational> tangent_at(const Span& span, long end) {
   return values;
 }
 
-/// The angle between two vectors of either sign, for sentences.
-double angle(const std::vector<Rational>& a, const std::vector<Rational>& b) {
+/// The sine of the angle between two vectors.
+double sine(const std::vector<Rational>& a, const std::vector<Rational>& b) {
   Rational aa, ab, bb;
   for (std::size_t i = 0; i < a.size(); ++i) {
     aa += a[i] * a[i];
     ab += a[i] * b[i];
     bb += b[i] * b[i];
   }
-  const double sine_squared = ((aa * bb - ab * ab) / (aa * bb)).to_double();
-  return std::asin(std::min(1.0, std::sqrt(std::max(0.0, sine_squared))));
+  return std::sqrt(((aa * bb - ab * ab) / (aa * bb)).to_double());
 }
 
-/// The circles are the same exactly where the tangents in P^4 are.
+/// The circles are the same exactly where the tangents in P^4 are. What the rounding of poles
+/// leaves is closed with the faces.
 void require_no_corner(const Span& left, const Span& right) {
-  const std::vector<Rational> end = tangent_at(left, 1), begin = tangent_at(right, 0);
-  if (row_echelon_form({end, begin}).size() == 1) return;
+  if (sine(tangent_at(left, 1), tangent_at(right, 0)) <= kRoundingAngle) return;
   throw GeometryError(ErrorCode::kCornerTooSharp,
-                      "The spine or the squared radius turns by " + show(angle(end, begin)) +
-                          " rad at parameter " + show(right.squared.begin.to_double()) +
-                          ", point " + place(right.squared, 0) +
+                      "The spine or the squared radius turns at parameter " +
+                          show(right.squared.begin.to_double()) + ", point " +
+                          place(right.squared, 0) +
                           ": the circles on both sides are not the same. Let both run on "
                           "smoothly.");
 }

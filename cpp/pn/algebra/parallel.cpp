@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pn/algebra/parallel.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <exception>
+#include <vector>
+
+#include "pn/algebra/cancellation.hpp"
+
+namespace pn {
+
+void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work) {
+  stop_if_cancelled();
+  if (count == 1) return work(0);
+  std::vector<std::exception_ptr> errors(count);
+  const auto guarded = [&](std::size_t i) {
+    try {
+      work(i);
+    } catch (...) {
+      errors[i] = std::current_exception();
+    }
+  };
+  // Isolated, so that a thread that waits here does not take up foreign work, perhaps under a lock.
+  tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, count, guarded); });
+  stop_if_cancelled();
+  for (const std::exception_ptr& error : errors) {
+    if (error) std::rethrow_exception(error);
+  }
+}
+
+void for_each_index_in_blocks(std::size_t count, std::size_t block,
+                              const std::function<void(std::size_t)>& work) {
+  for_each_index((count + block - 1) / block, [&](std::size_t b) {
+    for (std::size_t i = b * block; i < std::min(count, (b + 1) * block); ++i) work(i);
+  });
+}
+
+}  // namespace pn

@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Random surfaces of every shape, and how far their exported points are from the true surface.
+
+The certificate is held to account by the definitions of canal.py, rulings.py, quadrics.py,
+sphere_families.py and sphere_translations.py: from the exported doubles back to the spheres, lines
+or the equation, at 60 digits. Nothing of the kernel's construction takes part.
+
+The surfaces are biased to what is degenerate or badly scaled: straight spines, constant radii, equal
+half-axes, poles on a coarse grid, weights that differ by thousands, sizes from a micrometre to a
+kilometre.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import mpmath
+import numpy as np
+import pnkernel as pn
+from mpmath import mpf
+from canal import Canal, random_canal
+from quadrics import bounded_kinds, quadric
+from rulings import Cones, random_pair
+from sphere_families import Family, random_spheres
+from sphere_translations import random_translation
+from splines import Spline, norm, surface_point
+
+DEGREES = (1, 2, 3, 4)
+OUTER, INNER = 1, -1
+GAUSS_NEWTON_STEPS, NEWTON_STEPS = 6, 30
+
+
+@dataclass(frozen=True)
+class Specimen:
+    """A surface of the kernel and error(point, u), how far a point is from what it should be [mm].
+
+    u is the point's first parameter on its face: where to begin to look.
+    """
+
+    surface: Any
+    error: Callable
+
+    def largest_error(self, random, count):
+        """Of so many random points, some of them corners of faces."""
+        faces = self.surface.bsplines()
+        errors = []
+        for _ in range(count):
+            face = faces[random.integers(len(faces))]
+            place = _place_on(face, random)
+            errors.append(self.error(surface_point(face, *place), place[0]))
+        return float(max(errors))
+
+
+def _place_on(face, random):
+    """Anywhere on the whole face: the certificate does not stop at its trims."""
+    ends = [(knots[0], knots[-1]) for knots in (face.u_knots, face.v_knots)]
+    if random.random() < 0.3:
+        return [random.choice(end) for end in ends]
+    return [random.uniform(*end) for end in ends]
+
+
+# Inputs -------------------------------------------------------------------------------------------
+
+
+def _degraded(spline, random):
+    """The spline as it is, or with poles on a coarse grid, or with uneven weights."""
+    choice = random.integers(4)
+    if choice == 0:
+        return replace(spline, poles=np.round(spline.poles))
+    if choice == 1 and not (spline.weights == 1).all():
+        return replace(spline, weights=spline.weights * 10 ** random.uniform(-1.5, 1.5))
+    return spline
+
+
+def _scaled(splines, random):
+    """All of one size, from a micrometre to a kilometre."""
+    size = 10 ** random.uniform(-4, 5) if random.random() < 0.3 else 1.0
+    return [replace(spline, poles=size * spline.poles) for spline in splines], size
+
+
+def _seed(random):
+    return int(random.integers(2**31))
+
+
+# Shapes -------------------------------------------------------------------------------------------
+
+
+def canal(random):
+    degree = int(random.choice(DEGREES))
+    spans = int(random.integers(1, 4)) if degree > 1 else 1  # a corner has no parameter on the spine
+    plain = random_canal(_seed(random), degree, spans, rational=random.random() < 0.5)
+    radius = plain.radius
+    if random.random() < 0.3:
+        radius = replace(radius, poles=np.full_like(radius.poles, radius.poles[0]))
+    (spine, radius), size = _scaled([_degraded(plain.spine, random), radius], random)
+    pipe = Canal(replace(spine, weights=radius.weights), radius)
+    surface = pipe.surface().offset(size * random.choice([0.0, random.uniform(-1, 1)]))
+    distance = surface.distance
+
+    def error(point, u):
+        try:
+            return pipe.distance(point, distance, u, spine.span_at(u))
+        except ArithmeticError:  # where D has odd real roots the faces have another parameter
+            return pipe.distance(point, distance, *pipe.nearest_parameter(point, distance))
+
+    return Specimen(surface, error)
+
+
+def ruled(random):
+    degree = int(random.choice(DEGREES[:3]))
+    spans = int(random.integers(1, 3)) if degree > 1 else 1
+    pair = random_pair(_seed(random), degree, spans, random.random() < 0.5, noise=0.5)
+    return _along_rulings(pair, (), random)
+
+
+def cones(random):
+    first, second = random_pair(_seed(random), int(random.choice(DEGREES[:3])), noise=0.3)
+
+    def law(mean):
+        values = mean + random.uniform(-0.2, 0.2, len(first.poles)) * random.integers(2)
+        return Spline(first.degree, first.knots, first.multiplicities, values, first.weights)
+
+    return _along_rulings((first, second), (law(1.5), law(2.5)), random)
+
+
+def _along_rulings(centres, radii, random):
+    splines, size = _scaled([*centres, *radii], random)
+    family = Cones(tuple(splines[:2]), tuple(splines[2:]))
+    surface = family.surface().offset(size * random.choice([0.0, random.uniform(-0.5, 0.75)]))
+
+    def error(point, u):
+        span = family.centres[0].span_at(u)
+        return abs(family.contact(point, surface.distance, u, span)[2] - surface.distance)
+
+    return Specimen(surface, error)
+
+
+def quadrics(random):
+    cases = bounded_kinds()
+    kind, a, b, c, bounds = cases[random.integers(len(cases))]
+    size = 10 ** random.uniform(-3, 3)
+    a, b, c = (size * x * random.uniform(0.9, 1.1) for x in (a, b, c))
+    # Other half-axes leave the regions of these two elsewhere.
+    if kind == "elliptic_cylinder" or random.random() < 0.3:
+        b = a
+    if kind == "elliptic_cone":
+        b = a
+    if bounds:
+        bounds = {axis: tuple(size * end for end in ends) for axis, ends in bounds.items()}
+    surface, definition = quadric(kind, a, b, c, bounds)
+    surface = surface.offset(size * random.choice([0.0, random.uniform(-0.1, 0.25)]))
+
+    def error(point, _):
+        return abs(definition.contact(point, surface.distance)[1] - surface.distance)
+
+    return Specimen(surface, error)
+
+
+def skins(random):
+    spheres = random_spheres(random, dome=random.random() < 0.7)
+    family, sign = Family.of(spheres), random.choice([OUTER, INNER])
+    surface = _skin(pn.sphere_family(spheres), sign, random)
+    by_uu, by_uv, by_vv = family.second_derivatives()
+
+    def jet(u, v):
+        return *family.sphere(u, v), by_uu, by_uv, by_vv
+
+    return Specimen(surface, _from_spheres(jet, surface.distance))
+
+
+def translations(random):
+    family = random_translation(random)
+    curves = [pn.SphereSpline.bspline(*curve.arguments[:4]) for curve in (family.c, family.d)]
+    sign = random.choice([OUTER, INNER])
+    surface = _skin(pn.sphere_family_translational(*curves), sign, random)
+
+    def jet(u, v):
+        (c, by_u, by_uu), (d, by_v, by_vv) = family.c.derivatives(u, 0), family.d.derivatives(v, 0)
+        return c + d, by_u, by_v, by_uu, 0 * c, by_vv
+
+    return Specimen(surface, _from_spheres(jet, surface.distance))
+
+
+def _skin(family, sign, random):
+    surface = family.skins[0 if sign == OUTER else 1]
+    return surface.offset(random.choice([0.0, random.uniform(-1, 2)]))
+
+
+def _from_spheres(jet, distance):
+    """The error of a point on a skin of the spheres (m, r)(u, v) with these derivatives.
+
+    Where s |x - m| - r is stationary, s the sign of the radius r + d, its value is the distance at
+    which x is on a skin.
+    """
+    def error(point, _):
+        place = _foot(point, jet)
+        side = mpmath.sign(jet(*place)[0][3] + distance)
+        return abs(_stationary_value(point, side, jet, *place) - mpf(distance))
+
+    return error
+
+
+def _foot(point, jet):
+    """Roughly (u, v) of the centre nearest to a point, by the method of Gauss and Newton."""
+    u, v = 1 / 3, 1 / 3
+    for _ in range(GAUSS_NEWTON_STEPS):
+        centre, by_u, by_v = (np.array(d[:3], dtype=float) for d in jet(mpf(u), mpf(v))[:3])
+        step, *_ = np.linalg.lstsq(np.stack([by_u, by_v], axis=1),
+                                   np.array(point, dtype=float) - centre, rcond=None)
+        u, v = u + step[0], v + step[1]
+    return mpf(u), mpf(v)
+
+
+def _stationary_value(point, side, jet, u, v):
+    for _ in range(NEWTON_STEPS):
+        sphere, *first, by_uu, by_uv, by_vv = jet(u, v)
+        arm = point - sphere[:3]
+        length = side * norm(arm)
+        ray = arm / length
+        slopes = [-(ray @ d[:3]) - d[3] for d in first]
+
+        def bend(d, e, second):
+            return ((d[:3] @ e[:3] - (ray @ d[:3]) * (ray @ e[:3])) / length
+                    - ray @ second[:3] - second[3])
+
+        a, c = bend(first[0], first[0], by_uu), bend(first[1], first[1], by_vv)
+        b = bend(first[0], first[1], by_uv)
+        determinant = a * c - b * b
+        step_u = (slopes[0] * c - slopes[1] * b) / determinant
+        step_v = (slopes[1] * a - slopes[0] * b) / determinant
+        u, v = u - step_u, v - step_v
+        if abs(step_u) + abs(step_v) < mpf(10) ** -30:
+            return length - sphere[3]
+    raise ArithmeticError("no stationary place")
+
+
+SHAPES = {shape.__name__: shape for shape in (canal, ruled, cones, quadrics, skins, translations)}
