@@ -10,6 +10,7 @@
 
 #include "arrays.hpp"
 #include "conic_surfaces.hpp"
+#include "moebius_canal_surface.hpp"
 #include "moving_conic_section.hpp"
 #include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/cancellation.hpp"
@@ -485,6 +486,7 @@ PYBIND11_MODULE(pnkernel, module) {
   define_sphere_families(module);
   define_surfaces_from_functions(module);
   define_rational_envelope(module);
+  define_moebius_canal_surface(module);
   define_moving_conic_section(module);
   define_conic_surfaces(module);
   define_rational_conics(module);

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -23,17 +24,68 @@ Polynomial bilinear(const Matrix3<Polynomial>& conic, const Vector& v, const Vec
   return sum;
 }
 
-/// A vector near the axis of the double cone of Q(t).
-Vector inside_cone(const Matrix3<Polynomial>& conic, const Rational& t) {
-  Eigen::Matrix3d m;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      m(i, j) = conic[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)](t).to_double();
+Matrix3<Rational> product(const Matrix3<Rational>& a, const Matrix3<Rational>& b) {
+  Matrix3<Rational> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
     }
   }
-  const Eigen::Vector3d axis =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(m).eigenvectors().col(0);
-  return {Rational::exactly(axis[0]), Rational::exactly(axis[1]), Rational::exactly(axis[2])};
+  return result;
+}
+
+Matrix3<Rational> transposed(const Matrix3<Rational>& m) {
+  Matrix3<Rational> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) result[i][j] = m[j][i];
+  }
+  return result;
+}
+
+/// In doubles, of entries up to 1.
+Eigen::Matrix3d rounded(const Matrix3<Rational>& m) {
+  Rational largest(0);
+  for (const auto& row : m) {
+    for (const Rational& x : row) largest = std::max(largest, x.sign() < 0 ? -x : x);
+  }
+  Eigen::Matrix3d result;
+  for (std::size_t i = 0; i < 9; ++i) {
+    result(static_cast<int>(i / 3), static_cast<int>(i % 3)) =
+        (m[i / 3][i % 3] / largest).to_double();
+  }
+  return result;
+}
+
+/// Columns in the directions of the axes of a form, the negative one first, on which its values are
+/// about even.
+Matrix3<Rational> axes(const Matrix3<Rational>& form) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(rounded(form));
+  Matrix3<Rational> columns;
+  for (int j = 0; j < 3; ++j) {
+    // Smaller values are not known to doubles.
+    const double value = std::max(std::abs(eigen.eigenvalues()[j]), 1e-16);
+    const Eigen::Vector3d axis = eigen.eigenvectors().col(j) / std::sqrt(value);
+    for (int i = 0; i < 3; ++i) {
+      columns[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
+          Rational::exactly(axis[i]);
+    }
+  }
+  return columns;
+}
+
+/// A vector near the axis of the double cone of Q(t). Where Q is near to a singular conic, or
+/// unevenly scaled, it takes some rounds until doubles see the cone.
+Vector inside_cone(const Matrix3<Polynomial>& family, const Rational& t) {
+  Matrix3<Rational> conic;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) conic[i][j] = family[i][j](t);
+  }
+  Matrix3<Rational> basis = axes(conic);
+  for (;;) {
+    const Matrix3<Rational> form = product(transposed(basis), product(conic, basis));
+    if (form[0][0].sign() < 0) return {basis[0][0], basis[1][0], basis[2][0]};
+    basis = product(basis, axes(form));
+  }
 }
 
 bool is_negative_on(const Polynomial& p, const Rational& begin, const Rational& length) {
