@@ -22,12 +22,17 @@ from canal import Canal, random_canal
 from quadrics import bounded_kinds, quadric
 from rulings import Cones, random_pair
 from sphere_families import Family, random_spheres
-from sphere_translations import random_translation
-from splines import Spline, norm, surface_point
+from sphere_translations import Translation, random_translation
+from splines import Spline, exactly, norm, surface_point
+from trims import is_on_face
 
 DEGREES = (1, 2, 3, 4)
 OUTER, INNER = 1, -1
 GAUSS_NEWTON_STEPS, NEWTON_STEPS = 6, 30
+# Where Newton's method begins on a family over a triangle or a square. A skin this near [mm] is not
+# another one by chance.
+STARTS = ((1 / 3, 1 / 3), (1.5, 0), (0, 1.5), (-0.5, -0.5), (1.5, 1.5))
+NEAR = 1e-6
 
 
 @dataclass(frozen=True)
@@ -41,18 +46,23 @@ class Specimen:
     error: Callable
 
     def largest_error(self, random, count):
-        """Of so many random points, some of them corners of faces."""
+        """Of so many random points, some of them corners of faces.
+
+        The certificate does not stop at the trims of a face. But far beyond them Newton's method may
+        find no contact, or that of another skin; such a point says nothing.
+        """
         faces = self.surface.bsplines()
         errors = []
         for _ in range(count):
             face = faces[random.integers(len(faces))]
             place = _place_on(face, random)
-            errors.append(self.error(surface_point(face, *place), place[0]))
-        return float(max(errors))
+            error = self.error(surface_point(face, *place), place[0])
+            if error < NEAR or is_on_face(face, place):
+                errors.append(error)
+        return float(max(errors, default=0))
 
 
 def _place_on(face, random):
-    """Anywhere on the whole face: the certificate does not stop at its trims."""
     ends = [(knots[0], knots[-1]) for knots in (face.u_knots, face.v_knots)]
     if random.random() < 0.3:
         return [random.choice(end) for end in ends]
@@ -169,7 +179,13 @@ def skins(random):
 
 
 def translations(random):
-    family = random_translation(random)
+    # In any position: of a plate along the axes only the tangential coordinates are large.
+    turn, _ = np.linalg.qr(random.normal(size=(3, 3)))
+    flat = random_translation(random)
+    family = Translation(*(
+        replace(c, poles=np.column_stack([c.poles[:, :3] @ turn.T, c.poles[:, 3]]))
+        for c in (flat.c, flat.d)
+    ))
     curves = [pn.SphereSpline.bspline(*curve.arguments[:4]) for curve in (family.c, family.d)]
     sign = random.choice([OUTER, INNER])
     surface = _skin(pn.sphere_family_translational(*curves), sign, random)
@@ -179,6 +195,71 @@ def translations(random):
         return c + d, by_u, by_v, by_uu, 0 * c, by_vv
 
     return Specimen(surface, _from_spheres(jet, surface.distance))
+
+
+def sections(random):
+    """Ellipses perpendicular to the spine, or parallel."""
+    degree = int(random.choice(DEGREES[:2]))
+    spine = random_canal(_seed(random), degree, rational=random.random() < 0.3).spine
+    up = np.array([1.0, *random.uniform(-0.2, 0.2, 2)])
+    normal = None if random.random() < 0.7 else np.array([*random.uniform(-0.2, 0.2, 2), 1.0])
+    axes = [Spline(degree, spine.knots, spine.multiplicities,
+                   random.uniform(1, 3, degree + 1) if random.random() < 0.5
+                   else np.full(degree + 1, random.uniform(1, 3)), spine.weights)
+            for _ in range(2)]
+    surface = pn.moving_conic_section(
+        pn.Curve.bspline(*spine.arguments), up=up, normal=normal,
+        half_axes=tuple(pn.Law.bspline(*axis.arguments) for axis in axes),
+    )
+
+    def inside(point, near):
+        """(p / a)^2 + (q / b)^2 - 1 in the section through the point, and its t."""
+        t = mpf(near)
+        for _ in range(NEWTON_STEPS):
+            m, m1, m2 = spine.derivatives(t, 0)
+            arm = point - m
+            across, turn = (m1, arm @ m2) if normal is None else (exactly(normal), 0)
+            step = (arm @ across) / (turn - m1 @ across)
+            t -= step
+            if abs(step) < mpf(10) ** -45:
+                break
+        side = np.cross(across, exactly(up))
+        above = np.cross(side, across)
+        a, b = (axis.derivatives(t, 0)[0][0] for axis in axes)
+        p, q = ((point - m) @ axis / norm(axis) for axis in (side, above))
+        return (p / a) ** 2 + (q / b) ** 2 - 1, t
+
+    def error(point, u):
+        """The value over its gradient: of second order in the error itself."""
+        value, t = inside(point, u)
+        step = mpf(10) ** -25
+        gradient = np.array([(inside(point + step * e, t)[0] - value) / step
+                             for e in np.array(np.eye(3), dtype=object)])
+        return abs(value) / norm(gradient)
+
+    return Specimen(surface, error)
+
+
+def squared_radii(random):
+    """Of spheres whose squared radii alone are rational: |x - m| = r where (x - m).m' + r r' = 0."""
+    degree = int(random.choice(DEGREES[:2]))
+    plain = random_canal(_seed(random), degree)
+    spine, square = plain.spine, replace(plain.radius, poles=plain.radius.poles**2)
+    surface = pn.moebius_canal_surface(pn.Curve.bspline(*spine.arguments),
+                                       pn.Law.bspline(*square.arguments))
+
+    def error(point, u):
+        t = mpf(u)
+        for _ in range(NEWTON_STEPS):
+            (m, m1, m2), (r, r1, r2) = spine.derivatives(t, 0), square.derivatives(t, 0)
+            arm = point - m
+            step = (arm @ m1 + r1[0] / 2) / (arm @ m2 - m1 @ m1 + r2[0] / 2)
+            t -= step
+            if abs(step) < mpf(10) ** -45:
+                break
+        return abs(norm(arm) - mpmath.sqrt(r[0]))
+
+    return Specimen(surface, error)
 
 
 def _skin(family, sign, random):
@@ -193,16 +274,27 @@ def _from_spheres(jet, distance):
     which x is on a skin.
     """
     def error(point, _):
-        place = _foot(point, jet)
-        side = mpmath.sign(jet(*place)[0][3] + distance)
-        return abs(_stationary_value(point, side, jet, *place) - mpf(distance))
+        return min(_distances(point, jet, mpf(distance)), default=np.inf)
 
     return error
 
 
-def _foot(point, jet):
+def _distances(point, jet, distance):
+    """From the skins through stationary places: all bound the error, and one is that of the point."""
+    for u, v in STARTS:
+        place = _foot(point, jet, u, v)
+        for side in (1, -1):
+            try:
+                found = abs(_stationary_value(point, side, jet, *place) - distance)
+            except ArithmeticError:
+                continue
+            yield found
+            if found < NEAR:
+                return
+
+
+def _foot(point, jet, u, v):
     """Roughly (u, v) of the centre nearest to a point, by the method of Gauss and Newton."""
-    u, v = 1 / 3, 1 / 3
     for _ in range(GAUSS_NEWTON_STEPS):
         centre, by_u, by_v = (np.array(d[:3], dtype=float) for d in jet(mpf(u), mpf(v))[:3])
         step, *_ = np.linalg.lstsq(np.stack([by_u, by_v], axis=1),
@@ -234,4 +326,5 @@ def _stationary_value(point, side, jet, u, v):
     raise ArithmeticError("no stationary place")
 
 
-SHAPES = {shape.__name__: shape for shape in (canal, ruled, cones, quadrics, skins, translations)}
+SHAPES = {shape.__name__: shape for shape in
+          (canal, ruled, cones, quadrics, skins, translations, sections, squared_radii)}

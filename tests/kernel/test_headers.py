@@ -16,7 +16,6 @@ import list_headers  # noqa: E402
 # Headers without a test of their name, and why.
 TESTED_ELSEWHERE = {
     "section_source": "an interface; each source has a test",
-    "conic_normal_form": "a step of rational_conic_family, whose test takes all its cases",
     "rational_lattice": "a step of rational_conic_family, whose test takes all its cases",
     "section_segment": "what chain_net and conic_source have in common, tested with both",
     "segment_faces": "what chain_net and conic_source have in common, tested with both",

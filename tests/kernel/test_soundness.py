@@ -14,7 +14,7 @@ from soundness import SHAPES
 
 SURFACES = int(os.environ.get("PN_SOUNDNESS_SURFACES", "2000"))
 BLOCK = 20  # surfaces of one test
-POINTS = (3, 6, 18, 54, 162)  # more are tried only while the bound seems idle
+POINTS = (3, 6, 18, 54, 162, 486)  # more are tried only while the bound seems idle
 IDLE = 100  # times the largest error that was seen
 REFUSED = BLOCK // 4  # degenerate inputs may be refused, but not as a rule
 
