@@ -107,7 +107,10 @@ def _results(obj):
 
 
 def surface_data(surface):
-    """All numbers of a B-spline surface, exactly; equal when the surfaces are equal bit for bit."""
+    """All numbers of a B-spline surface or the plane of a cap, exactly; equal when the surfaces are
+    equal bit for bit."""
+    if isinstance(surface, Part.Plane):
+        return tuple(surface.Position), tuple(surface.Axis)
     return (
         surface.UDegree,
         surface.VDegree,
