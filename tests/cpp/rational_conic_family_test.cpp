@@ -220,8 +220,9 @@ TEST_CASE("Two lines less q times a square: least degree over Q where q has rati
   }
 }
 
-TEST_CASE("Y^2 - c^2 W^2 - 2 f W P has degree h over Q by one rational line at each double zero of f",
-          "[rational_conic_family]") {
+TEST_CASE(
+    "Y^2 - c^2 W^2 - 2 f W P has degree h over Q by one rational line at each double zero of f",
+    "[rational_conic_family]") {
   RationalPolynomial f(1L), c(7L);
   for (int h = 1; h <= 5; ++h) {
     INFO("h = " << h);

@@ -77,7 +77,8 @@ def test_circles_of_a_rational_radius_lie_on_the_canal_surface():
     conic[:, 0, 0] = -0.99 * np.array([4, 6, 9])
     for x in samples(pn.conic_surface(frame, conic)):
         assert from_envelope(x, [[0, 0, 0], [10, 0, 0]], [4, 6, 9]) < 1e-14
-    for x in samples(pn.canal_surface(pn.Curve.bezier([[0, 0, 0], [10, 0, 0]]), pn.Law.bezier([2, 3]))):
+    spine = pn.Curve.bezier([[0, 0, 0], [10, 0, 0]])
+    for x in samples(pn.canal_surface(spine, pn.Law.bezier([2, 3]))):
         assert from_envelope(x, [[0, 0, 0], [10, 0, 0]], [4, 6, 9]) < TIGHT
 
 
