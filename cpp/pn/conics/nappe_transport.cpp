@@ -62,15 +62,19 @@ std::optional<OrthogonalVectors> orthogonal_vectors(const Matrix& form, const Ve
   return OrthogonalVectors{{p, v2, v3}, {pp, second}, *at_first * at_second.value()};
 }
 
-/// Of a cubic curve without singular points; no cone contains it.
-Vector on_cubic(long k) { return {1L, k, k * k * k}; }
-
-/// For all p but finitely many d1 is not zero identically; its zeros and either minor that is zero
-/// then exclude finitely many q.
-OrthogonalVectors orthogonal_vectors(const Matrix& form) {
-  for (long k = 1;; ++k) {
-    for (long l = 0; l < k; ++l) {
-      if (auto found = orthogonal_vectors(form, on_cubic(l), on_cubic(k))) return *found;
+/// For all p of a cubic curve but finitely many d1 is not zero identically: no cone contains it.
+/// The zeros of d1 and the planes that touch all cones then exclude finitely many q of a line. The
+/// first p and q are in the lowest columns, whose entries are shortest.
+OrthogonalVectors orthogonal_vectors(const Matrix& form, const Vector3<std::size_t>& ascending) {
+  const auto vector = [&](const Vector3<long>& entries) {
+    Vector v;
+    for (std::size_t i = 0; i < 3; ++i) v[ascending[i]] = entries[i];
+    return v;
+  };
+  for (long sum = 0;; ++sum) {
+    for (long k = 0; k <= sum; ++k) {
+      const Vector p = vector({1, k, k * k * k}), q = vector({0, 1, sum - k});
+      if (auto found = orthogonal_vectors(form, p, q)) return *found;
     }
   }
 }
@@ -115,8 +119,12 @@ Vector section(const Vector& value, const Vector3<int>& e, int m) {
 int parity_of_splitting(const RationalLattice& lattice, int m) {
   const bool is_negative = determinant(lattice.conic())(Rational(0)).sign() < 0;
   const Matrix conic = is_negative ? lattice.conic() : negative(lattice.conic());
-  const OrthogonalVectors finite = orthogonal_vectors(conic);
-  const OrthogonalVectors infinite = orthogonal_vectors(at_infinity(conic, lattice));
+  Vector3<std::size_t> ascending = {0, 1, 2};
+  std::stable_sort(ascending.begin(), ascending.end(), [&](std::size_t i, std::size_t j) {
+    return lattice.degree()[i] < lattice.degree()[j];
+  });
+  const OrthogonalVectors finite = orthogonal_vectors(conic, ascending);
+  const OrthogonalVectors infinite = orthogonal_vectors(at_infinity(conic, lattice), ascending);
   const Vector back = product(conic, section(negative_vector(infinite, 1), lattice.degree(), m));
   // One nappe in which two products with `back` are negative, hence the same sign at both ends.
   const int at_end = sign_towards_infinity(dot(negative_vector(finite, 1), back), 1);

@@ -25,8 +25,9 @@
 // q through d1, and that has the sign of the product named. A vector on the boundary that is not
 // zero lies on one nappe only. At zeros of even multiplicity v remains, and both signs cancel. ∎
 //
-// So the parity is the sign of two resultants, and of one vector that is in the cone at infinity,
-// compared at both ends: over Q, without an interval to be halved, however thin the cone is.
+// So the parity is a product of signs at the real zeros of two polynomials, and of those of one
+// vector that is in the cone at infinity, at both ends: exact, and without intervals that are
+// halved until one vector is in the cone all along, which takes long where the cone is thin.
 #pragma once
 
 #include "pn/conics/rational_lattice.hpp"
