@@ -57,3 +57,30 @@ TEST_CASE("A double cone that turns half around with t returns as its other napp
   const ConicFamily whole = cone(conic_polynomial({1, 0, -1}), conic_polynomial({0, 2}));
   CHECK(parity(half) != parity(whole));
 }
+
+TEST_CASE("A thin cone around a polynomial axis of degree d has parity d + m",
+          "[nappe_transport]") {
+  // cos^2 of half the opening angle is 1 - 1e-12, and the axis is 1000 times longer sidewards.
+  const RationalPolynomial cosine_squared(Rational(1L) - Rational(1L) / Rational(1000000000000L));
+  RandomConics random(5);
+  int parities[] = {0, 0};
+  for (int i = 0; i < 60; ++i) {
+    const int d = 1 + i % 6;
+    Vector3<RationalPolynomial> axis;
+    for (RationalPolynomial& x : axis) x = random.any(d) + power_of_t(d) * 10L;
+    axis[0] *= 1000L;
+    RationalPolynomial norm;
+    for (const RationalPolynomial& x : axis) norm += x * x;
+    Conic c;
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) c[j][k] = -axis[j] * axis[k];
+      c[j][j] += cosine_squared * norm;
+    }
+    INFO(i);
+    const ConicFamily family = conic_family(c);
+    const int m = least_degree(family, singular_conics(family));
+    CHECK(parity(family) == (d + m) % 2);
+    ++parities[(d + m) % 2];
+  }
+  CHECK(std::min(parities[0], parities[1]) > 0);
+}

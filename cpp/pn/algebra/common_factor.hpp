@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Homogeneous coordinates over Q[t] without their common factor.
+// Polynomials and homogeneous coordinates over Q[t] without common factors.
 #pragma once
 
 #include <utility>
@@ -16,6 +16,16 @@ Polynomials coprime(Polynomials entries) {
   if (common.degree() < 1) return entries;
   for (RationalPolynomial& entry : entries) entry = exact_quotient(entry, common);
   return entries;
+}
+
+/// p without the roots, of any multiplicity, that another polynomial shares.
+inline RationalPolynomial without_common_roots(RationalPolynomial p,
+                                               const RationalPolynomial& other) {
+  for (;;) {
+    const RationalPolynomial common = gcd(p, other);
+    if (common.degree() < 1) return p;
+    p = exact_quotient(p, common);
+  }
 }
 
 }  // namespace pn

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "pn/algebra/bernstein.hpp"
+#include "pn/algebra/common_factor.hpp"
 
 namespace pn {
 namespace {
@@ -225,14 +226,6 @@ bool has_real_roots(const RationalPolynomial& squarefree) {
   const slong count = fmpz_poly_num_real_roots(integral);
   fmpz_poly_clear(integral);
   return count > 0;
-}
-
-RationalPolynomial without_common_roots(RationalPolynomial p, const RationalPolynomial& other) {
-  for (;;) {
-    const RationalPolynomial common = gcd(p, other);
-    if (common.degree() < 1) return p;
-    p = exact_quotient(p, common);
-  }
 }
 
 }  // namespace

@@ -21,7 +21,8 @@
 namespace pn {
 
 /// Points [mm] near the contact curve of the cone at t = 1/2: the part begins at the generator that
-/// touches the envelope nearest to the first, passes the second and ends at the third.
+/// touches the envelope nearest to the first, passes the second and ends at the third. Generators
+/// are rounded to 24 bits, so the surface may end a trifle before a point or behind it.
 using ContactArc = std::array<std::array<double, 3>, 3>;
 
 class QuadraticConeSource : public PatchSource {

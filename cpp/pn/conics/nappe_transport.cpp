@@ -1,150 +1,135 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/conics/nappe_transport.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <vector>
+#include <optional>
 
-#include "pn/algebra/bernstein.hpp"
+#include "pn/algebra/sign_at_real_roots.hpp"
 
 namespace pn {
 namespace {
 
 using Polynomial = RationalPolynomial;
-using Vector = Vector3<Rational>;
+using Vector = Vector3<Polynomial>;
+using Matrix = Matrix3<Polynomial>;
 
-/// sum of v_i w_j Q_ij
-Polynomial bilinear(const Matrix3<Polynomial>& conic, const Vector& v, const Vector& w) {
-  Polynomial sum;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) sum += Polynomial(v[i] * w[j]) * conic[i][j];
-  }
-  return sum;
+Polynomial dot(const Vector& v, const Vector& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; }
+
+Vector cross(const Vector& v, const Vector& w) {
+  return {v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
 }
 
-Matrix3<Rational> product(const Matrix3<Rational>& a, const Matrix3<Rational>& b) {
-  Matrix3<Rational> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      for (std::size_t k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
-    }
-  }
-  return result;
+Vector times(const Polynomial& factor, const Vector& v) {
+  return {factor * v[0], factor * v[1], factor * v[2]};
 }
 
-Matrix3<Rational> transposed(const Matrix3<Rational>& m) {
-  Matrix3<Rational> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) result[i][j] = m[j][i];
-  }
-  return result;
+Vector difference(const Vector& v, const Vector& w) {
+  return {v[0] - w[0], v[1] - w[1], v[2] - w[2]};
 }
 
-/// In doubles, of entries up to 1.
-Eigen::Matrix3d rounded(const Matrix3<Rational>& m) {
-  Rational largest(0);
-  for (const auto& row : m) {
-    for (const Rational& x : row) largest = std::max(largest, x.sign() < 0 ? -x : x);
-  }
-  Eigen::Matrix3d result;
-  for (std::size_t i = 0; i < 9; ++i) {
-    result(static_cast<int>(i / 3), static_cast<int>(i % 3)) =
-        (m[i / 3][i % 3] / largest).to_double();
-  }
-  return result;
+Vector product(const Matrix& m, const Vector& v) {
+  return {dot(m[0], v), dot(m[1], v), dot(m[2], v)};
 }
 
-/// Columns in the directions of the axes of a form, the negative one first, on which its values are
-/// about even.
-Matrix3<Rational> axes(const Matrix3<Rational>& form) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(rounded(form));
-  Matrix3<Rational> columns;
-  for (int j = 0; j < 3; ++j) {
-    // Smaller values are not known to doubles.
-    const double value = std::max(std::abs(eigen.eigenvalues()[j]), 1e-16);
-    const Eigen::Vector3d axis = eigen.eigenvectors().col(j) / std::sqrt(value);
-    for (int i = 0; i < 3; ++i) {
-      columns[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
-          Rational::exactly(axis[i]);
-    }
+Matrix negative(Matrix m) {
+  for (Vector& row : m) {
+    for (Polynomial& entry : row) entry = -entry;
   }
-  return columns;
+  return m;
 }
 
-/// A vector near the axis of the double cone of Q(t). Where Q is near to a singular conic, or
-/// unevenly scaled, it takes some rounds until doubles see the cone.
-Vector inside_cone(const Matrix3<Polynomial>& family, const Rational& t) {
-  Matrix3<Rational> conic;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) conic[i][j] = family[i][j](t);
-  }
-  Matrix3<Rational> basis = axes(conic);
-  for (;;) {
-    const Matrix3<Rational> form = product(transposed(basis), product(conic, basis));
-    if (form[0][0].sign() < 0) return {basis[0][0], basis[1][0], basis[2][0]};
-    basis = product(basis, axes(form));
-  }
-}
-
-bool is_negative_on(const Polynomial& p, const Rational& begin, const Rational& length) {
-  const Polynomial here = p.on_interval(begin, length);
-  const std::vector<Rational> b = to_bernstein(coefficients(here, std::max(here.degree(), 0)));
-  return std::all_of(b.begin(), b.end(), [](const Rational& x) { return x.sign() < 0; });
-}
-
-/// The first and last vector inside the cone along an interval, and whether they are in the same
-/// nappe: +1, or not: -1.
-struct Transport {
-  Vector first, last;
-  int sign;
+/// The v and d of the theorem, and its product of signs.
+struct OrthogonalVectors {
+  Vector3<Vector> vector;
+  std::array<Polynomial, 2> minor;
+  int carried;
 };
 
-Transport joined(const Matrix3<Polynomial>& conic, const Rational& t, const Transport& a,
-                 const Transport& b) {
-  const int same_nappe = -bilinear(conic, a.last, b.first)(t).sign();
-  return {a.first, b.last, a.sign * same_nappe * b.sign};
+/// Nothing where d1 and p.Qq have a common real zero or a minor is zero for all t.
+std::optional<OrthogonalVectors> orthogonal_vectors(const Matrix& form, const Vector& p,
+                                                    const Vector& q) {
+  const Vector form_p = product(form, p);
+  const Polynomial pp = dot(p, form_p), pq = dot(q, form_p), qq = dot(q, product(form, q));
+  const Polynomial second = pp * qq - pq * pq;
+  if (pp.is_zero() || second.is_zero()) return std::nullopt;
+  const Vector v2 = difference(times(pp, q), times(pq, p));
+  const Vector v3 = product(adjugate(form), cross(p, q));
+  const auto at_first = sign_at_real_roots(pp, -pq);
+  if (!at_first) return std::nullopt;
+  const Vector q_across_p = difference(times(dot(p, p), q), times(dot(p, q), p));
+  const auto at_second = sign_at_real_roots(second, dot(v3, q_across_p));
+  return OrthogonalVectors{{p, v2, v3}, {pp, second}, *at_first * at_second.value()};
 }
 
-Transport transport(const Matrix3<Polynomial>& conic, const Rational& begin,
-                    const Rational& length) {
-  const Rational half = length / Rational(2), middle = begin + half;
-  const Vector v = inside_cone(conic, middle);
-  if (is_negative_on(bilinear(conic, v, v), begin, length)) return {v, v, 1};
-  return joined(conic, middle, transport(conic, begin, half), transport(conic, middle, half));
+/// For all p of a cubic curve but finitely many d1 is not zero identically: no cone contains it.
+/// The zeros of d1 and the planes that touch all cones then exclude finitely many q of a line. The
+/// first p and q are in the lowest columns, whose entries are shortest.
+OrthogonalVectors orthogonal_vectors(const Matrix& form, const Vector3<std::size_t>& ascending) {
+  const auto vector = [&](const Vector3<long>& entries) {
+    Vector v;
+    for (std::size_t i = 0; i < 3; ++i) v[ascending[i]] = entries[i];
+    return v;
+  };
+  for (long sum = 0;; ++sum) {
+    for (long k = 0; k <= sum; ++k) {
+      const Vector p = vector({1, k, k * k * k}), q = vector({0, 1, sum - k});
+      if (auto found = orthogonal_vectors(form, p, q)) return *found;
+    }
+  }
 }
 
-Polynomial reversed(const Polynomial& p, int formal_degree) {
-  std::vector<Rational> c = coefficients(p, formal_degree);
-  std::reverse(c.begin(), c.end());
-  return Polynomial(c);
+/// The sign for large t, or large -t: end = 1, -1.
+int sign_towards_infinity(const Polynomial& p, int end) {
+  const int sign = p.coefficient(p.degree()).sign();
+  return p.degree() % 2 == 0 ? sign : sign * end;
+}
+
+const Vector& negative_vector(const OrthogonalVectors& basis, int end) {
+  const auto& [first, second] = basis.minor;
+  return sign_towards_infinity(first, end) < 0    ? basis.vector[0]
+         : sign_towards_infinity(second, end) < 0 ? basis.vector[1]
+                                                  : basis.vector[2];
+}
+
+Matrix at_infinity(const Matrix& conic, const RationalLattice& lattice) {
+  const Vector3<int>& e = lattice.degree();
+  Matrix result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const int degree = e[i] + e[j] + lattice.twist();
+      if (degree >= 0) result[i][j] = conic[i][j].coefficient(degree);
+    }
+  }
+  return result;
+}
+
+/// A section of O(m - e_0) + O(m - e_1) + O(m - e_2) with this value at infinity, times an even
+/// power of t.
+Vector section(const Vector& value, const Vector3<int>& e, int m) {
+  const int highest = *std::max_element(e.begin(), e.end());
+  const int even = 2 * std::max(highest - m, 0);
+  Vector result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = value[i] * power_of_t(m - e[i] + even);
+  return result;
 }
 
 }  // namespace
 
 int parity_of_splitting(const RationalLattice& lattice, int m) {
-  const Vector3<int>& e = lattice.degree();
-  Matrix3<Polynomial> conic = lattice.conic(), at_infinity;
-  const int sign = determinant(conic)(Rational(0)).sign();
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      conic[i][j] *= Polynomial(Rational(-sign));
-      const int degree = e[i] + e[j] + lattice.twist();
-      if (degree >= 0) at_infinity[i][j] = reversed(conic[i][j], degree);
-    }
-  }
-  const Rational one(1), length(2);
-  const Transport finite = transport(conic, -one, length);
-  const Transport beyond = transport(at_infinity, -one, length);
-  // At t = 1 the coordinates of both charts agree; at t = -1 they differ by (-1)^(m - e_i).
-  Vector back = beyond.first;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if ((m - e[i]) % 2 != 0) back[i] = -back[i];
-  }
-  const int at_one = -bilinear(conic, finite.last, beyond.last)(one).sign();
-  const int at_minus_one = -bilinear(conic, back, finite.first)(-one).sign();
-  return finite.sign * at_one * beyond.sign * at_minus_one == 1 ? 0 : 1;
+  const bool is_negative = determinant(lattice.conic())(Rational(0)).sign() < 0;
+  const Matrix conic = is_negative ? lattice.conic() : negative(lattice.conic());
+  Vector3<std::size_t> ascending = {0, 1, 2};
+  std::stable_sort(ascending.begin(), ascending.end(), [&](std::size_t i, std::size_t j) {
+    return lattice.degree()[i] < lattice.degree()[j];
+  });
+  const OrthogonalVectors finite = orthogonal_vectors(conic, ascending);
+  const OrthogonalVectors infinite = orthogonal_vectors(at_infinity(conic, lattice), ascending);
+  const Vector back = product(conic, section(negative_vector(infinite, 1), lattice.degree(), m));
+  // One nappe in which two products with `back` are negative, hence the same sign at both ends.
+  const int at_end = sign_towards_infinity(dot(negative_vector(finite, 1), back), 1);
+  const int at_begin = sign_towards_infinity(dot(negative_vector(finite, -1), back), -1);
+  return finite.carried * at_end * at_begin == 1 ? 0 : 1;
 }
 
 }  // namespace pn

@@ -5,6 +5,7 @@
 
 #include "pn/algebra/precision.hpp"
 #include "pn/algebra/rational_point_on_conic.hpp"
+#include "pn/algebra/roots.hpp"
 #include "pn/conics/conic_normal_form.hpp"
 #include "pn/conics/nappe_transport.hpp"
 
@@ -147,15 +148,35 @@ ProvedChoice proved(const LineConditions& conditions, const LineChoice& choice, 
   return {choice, std::move(*points)};
 }
 
+SingularConics at_real_places(const SingularConics& singular) {
+  SingularConics real{{}, singular.at_infinity};
+  for (const SingularFactor& part : singular.finite) {
+    for (const Polynomial& factor : irreducible_factors(part.factor)) {
+      if (numbers_between_real_roots(factor).size() > 1) real.finite.push_back({factor, part.type});
+    }
+  }
+  return real;
+}
+
+/// Steps at nonreal places do not change the parity, but make long numbers of short ones. So they
+/// are left out, unless that could change the choices at real ones.
+int parity_of(const ConicFamily& family, const SingularConics& singular, const RationalSteps& steps,
+              int m) {
+  const RationalSteps real =
+      rational_steps(family, at_real_places(singular), lower_degrees, Leave::kOddIrrational);
+  return parity_of_splitting(real.choices == 0 ? real.lattice : steps.lattice, m);
+}
+
 /// Where a place of odd multiplicity has irrational lines: a = 0, or a = 1 with odd parity. Throws
 /// Undecided.
-ProvedChoice balanced_choice(const RationalSteps& steps, const LineConditions& conditions) {
+ProvedChoice balanced_choice(const ConicFamily& family, const SingularConics& singular,
+                             const RationalSteps& steps, const LineConditions& conditions) {
   LineChoice first;
   for (const LinePair& pair : conditions.pairs()) first.push_back(pair.multiplicity);
   if (const auto points = conditions.balanced_points(first)) return {first, *points};
   const int parity = conditions.has_real_lines()
                          ? 0
-                         : parity_of_splitting(steps.lattice, conditions.least_degree());
+                         : parity_of(family, singular, steps, conditions.least_degree());
   if (parity == 1) {
     if (const auto points = conditions.unbalanced_points(first, 1)) return {first, *points};
   }
@@ -198,7 +219,7 @@ void RationalConicFamily::choose_irrational_lines(const ConicFamily& family,
     steps_ = std::make_shared<const RationalSteps>(std::move(from));
     at_sufficient_precision([&](long precision) {
       const LineConditions conditions(*steps_, line_pairs(*steps_, precision), precision);
-      ProvedChoice found = balanced_choice(*steps_, conditions);
+      ProvedChoice found = balanced_choice(family, singular, *steps_, conditions);
       in_balls_ = {std::move(found.points), precision, places_of(conditions.pairs(), found.choice)};
     });
     degree_ = in_balls_->points.degree;
