@@ -220,25 +220,6 @@ TEST_CASE("Two lines less q times a square: least degree over Q where q has rati
   }
 }
 
-TEST_CASE(
-    "Y^2 - c^2 W^2 - 2 f W P has degree h over Q by one rational line at each double zero of f",
-    "[rational_conic_family]") {
-  RationalPolynomial f(1L), c(7L);
-  for (int h = 1; h <= 5; ++h) {
-    INFO("h = " << h);
-    f *= poly({-h, 1});
-    c *= poly({1, 1});
-    const RationalPolynomial zero;
-    const ConicFamily family =
-        conic_family({{{1L, zero, zero}, {zero, -c * c, -f}, {zero, -f, zero}}}, {0, h, 0});
-    const RationalConicFamily conics(family);
-    check_identity(family, conics);
-    CHECK(conics.least_degree() == h);
-    CHECK(conics.degree() == h);
-    CHECK(conics.rational_points().has_value());
-  }
-}
-
 TEST_CASE("Lines at only some of the conjugate zeros give the least degree",
           "[rational_conic_family]") {
   const auto splitting = [](const RationalPolynomial& f, const RationalPolynomial& c) {
