@@ -220,6 +220,8 @@ class FeatureBase:
 
     def warnings(self, sections):
         """A sentence for each of the Sections that has singular points or crosses itself."""
+        if not sections.base.surface.has_offsets:
+            return _crossings(sections.surfaces)
         low, high = sections.base.surface.regular_range
         distances = [surface.distance for surface in sections.surfaces]
         regular = [surface for surface in sections.surfaces if low < surface.distance < high]
@@ -353,9 +355,6 @@ class FeatureWithoutOffsets(FeatureBase):
 
     def limits(self, surface):
         return {}
-
-    def warnings(self, sections):
-        return _crossings(sections.surfaces)
 
 
 def _offer_all_choices(obj, entry):
