@@ -137,6 +137,7 @@ class Offsets(SquaredRadiusTest):
         same = pnsurfaces.make_canal_surface(spine, (2, 3), 0.5)
         self.assertEqual(shape_data(own_shape(obj)), shape_data(own_shape(same)))
         self.assertEqual(obj.MinOffset, same.MinOffset)
+        self.assertTrue(obj.RationalRadius)
         self.assert_certified(obj)
 
     def test_a_wall_where_the_radius_is_rational(self):
@@ -147,6 +148,7 @@ class Offsets(SquaredRadiusTest):
         obj = self.make(self.line_object(LENGTH), (25, 85))
         good = shape_data(obj.Shape)
         self.assertEqual((obj.MinOffset.Value, obj.MaxOffset.Value), (0, 0))
+        self.assertFalse(obj.RationalRadius)
         report = self.assert_certified(obj)
         self.assertIsNone(report["regular_range"])
         obj.Distance = 1

@@ -193,6 +193,10 @@ class FeatureBase:
         """The distances of those sections that are drawn while they change, the smallest first."""
         return distances_of(inputs)
 
+    def has_offsets(self, obj):
+        """Whether the computed surface has other distances than zero."""
+        return True
+
     def inputs_of(self, obj):
         """The FeatureInputs of now. All the rest of a computation needs no document."""
         return read_inputs(obj, [entry.name for entry in self._all_inputs()])

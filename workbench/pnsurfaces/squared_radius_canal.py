@@ -63,19 +63,28 @@ class SquaredRadiusCanal(FeatureBase):
                QT_TRANSLATE_NOOP("App::Property",
                                  "How far fits are off, part of the deviation; proven or"
                                  " measured")),
+        result("App::PropertyBool", "RationalRadius",
+               QT_TRANSLATE_NOOP("App::Property",
+                                 "Whether the radius itself is rational, so that offsets are exact")),
     )
+
+    def has_offsets(self, obj):
+        return obj.RationalRadius
 
     def base(self, inputs):
         spine = _spine(inputs)
         law = squared_radius_law(inputs, spine)
         fits = (*spine.fits, *law.fits)
+        surface = kernel.pnkernel().moebius_canal_surface(spine.curve, law.kernel_law())
         return Base(
-            kernel.pnkernel().moebius_canal_surface(spine.curve, law.kernel_law()),
+            surface,
             notes=(*spine.notes, *(fit.note() for fit in fits)),
             exact=not fits,
             # As of a canal surface: fits of r^2 tell how far they are off in r.
             deviation=sum(fit.deviation for fit in fits),
-            results={"FitDeviation": deviation_of(fits)},
+            results={
+                "FitDeviation": deviation_of(fits), "RationalRadius": surface.has_offsets
+            },
         )
 
     def onChanged(self, obj, name):
