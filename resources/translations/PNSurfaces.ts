@@ -1069,6 +1069,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Spray</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Squared radius</source>
             <translation type="unfinished" />
         </message>
@@ -1138,6 +1142,10 @@
         </message>
         <message>
             <source>Wall thickness</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>What evaporating drops sweep on their flight: the squared radius is linear along a parabola.</source>
             <translation type="unfinished" />
         </message>
         <message>

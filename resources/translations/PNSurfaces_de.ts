@@ -1069,6 +1069,10 @@
             <translation>Kugelförmig</translation>
         </message>
         <message>
+            <source>Spray</source>
+            <translation>Sprühstrahl</translation>
+        </message>
+        <message>
             <source>Squared radius</source>
             <translation>Radius²</translation>
         </message>
@@ -1139,6 +1143,10 @@
         <message>
             <source>Wall thickness</source>
             <translation>Wanddicke</translation>
+        </message>
+        <message>
+            <source>What evaporating drops sweep on their flight: the squared radius is linear along a parabola.</source>
+            <translation>Was verdunstende Tropfen im Flug überstreichen: Der quadrierte Radius ist linear entlang einer Parabel.</translation>
         </message>
         <message>
             <source>Whole</source>
