@@ -53,10 +53,7 @@ def make_spray():
 
 
 def _path(azimuth, duration):
-    """The parabola of a drop over its flight of so many seconds; the parameter is the time.
-
-    Its poles are rounded to whole millimetres.
-    """
+    """The parabola of a drop over its flight of so many seconds; the parameter is the time."""
     horizontal, elevation = math.radians(azimuth), math.radians(ELEVATION)
     direction = Vector(
         math.cos(horizontal) * math.cos(elevation),
@@ -64,9 +61,8 @@ def _path(azimuth, duration):
         math.sin(elevation),
     )
     start, way = direction * NOZZLE, direction * SPEED * duration
-    poles = [start, start + way / 2, start + way + GRAVITY * duration**2 / 2]
     curve = Part.BezierCurve()
-    curve.setPoles([Vector(*(round(coordinate) for coordinate in pole)) for pole in poles])
+    curve.setPoles([start, start + way / 2, start + way + GRAVITY * duration**2 / 2])
     return curve.toShape()
 
 
