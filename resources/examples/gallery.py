@@ -133,4 +133,15 @@ EXAMPLES = (
         ),
         ("Duct",), ("Duct",), -65, 30,
     ),
+    Example(
+        "spray",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Spray"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces",
+            "What evaporating drops sweep on their flight: the squared radius is linear along a"
+            " parabola.",
+        ),
+        ("Drop1", "Drop2", "Drop3", "Drop4", "Drop5"),
+        ("Drop1", "Drop2", "Drop3", "Drop4", "Drop5"), -50, 30,
+    ),
 )

@@ -11,7 +11,7 @@ from pnsurfaces.fitted_law import fitted_law
 from pnsurfaces.position import ARC_LENGTH, measure
 from pnsurfaces.profile import Profile
 from pnsurfaces.radius_error import RadiusLawError
-from pnsurfaces.radius_expression import RadiusExpression
+from pnsurfaces.radius_expression import LENGTH, RadiusExpression
 
 CONSTANT = "Constant"
 LINEAR = "Linear"
@@ -117,10 +117,8 @@ def _table(obj, spine):
 
 
 def _expression(obj, spine):
-    scale = measure(spine, obj.PositionBy)
-    dimension = 1 if obj.PositionBy == ARC_LENGTH else 0
-    expression = RadiusExpression(obj.RadiusExpression, dimension, spine.length)
-    return _fitted(_AlongSpine(expression, scale), obj, spine)
+    function = along_spine(obj.RadiusExpression, obj.PositionBy, spine, "the radius expression")
+    return _fitted(function, obj, spine)
 
 
 def _profile(obj, spine):
@@ -143,14 +141,24 @@ _LAWS = {
 }
 
 
+def along_spine(text, position_by, spine, what, dimension=LENGTH):
+    """An expression of a dimension in the position, as what fitted_law follows; `what` it is called.
+
+    Raises RadiusLawError when the text is no such expression.
+    """
+    scale = measure(spine, position_by)
+    position_dimension = 1 if position_by == ARC_LENGTH else 0
+    expression = RadiusExpression(text, position_dimension, spine.length, dimension)
+    return _AlongSpine(expression, scale, what)
+
+
 class _AlongSpine:
     """An expression in the position as a function of the parameter of a spine."""
 
-    what = "the radius expression"
-
-    def __init__(self, expression, scale):
+    def __init__(self, expression, scale, what):
         self._expression = expression
         self._scale = scale
+        self.what = what
 
     def radius(self, stretch, t):
         return self._expression.radius(self._scale.position(stretch, t))
