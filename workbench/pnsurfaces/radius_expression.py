@@ -64,7 +64,8 @@ class RadiusExpression:
     """The radius in millimetres as a function of the position s.
 
     `position_dimension` is 1 where s is a length in millimetres, 0 where it is a share; `length` is
-    that of the spine. Raises RadiusLawError when the text is no such expression.
+    that of the spine. `dimension` is 1 where the result is a length, 0 where it is a plain number.
+    Raises RadiusLawError when the text is no such expression.
     """
 
     def __init__(self, text, position_dimension, length):
@@ -72,10 +73,11 @@ class RadiusExpression:
         self._position_dimension = position_dimension
         self._names = {name: (np.float64(value), 0) for name, value in _CONSTANTS.items()}
         self._names["L"] = (np.float64(length), 1)
-        _, dimension = self._value_of(np.complex128(1.0))
-        if dimension not in (0, 1):
+        _, self.dimension = self._value_of(np.complex128(1.0))
+        if self.dimension not in (0, 1):
             raise RadiusLawError(
-                f"The radius expression gives millimetres to the power {dimension:g}, not a length."
+                f"The radius expression gives millimetres to the power {self.dimension:g}, not a"
+                " length."
             )
 
     def radius(self, s):

@@ -12,6 +12,7 @@ from pnsurfaces.position import ARC_LENGTH, measure
 from pnsurfaces.profile import Profile
 from pnsurfaces.radius_error import RadiusLawError
 from pnsurfaces.radius_expression import RadiusExpression
+from pnsurfaces.spline_grid import basis
 
 CONSTANT = "Constant"
 LINEAR = "Linear"
@@ -58,6 +59,11 @@ class RadiusLaw(NamedTuple):
         """The law of the radii that are left when `radius` is taken away."""
         return self._replace(coefficients=np.asarray(self.coefficients) - radius)
 
+    def values(self, parameters):
+        """The values (n,) at parameters (n,) of the spine."""
+        knots = np.repeat(np.asarray(self.knots, dtype=float), self.multiplicities)
+        return basis(knots, self.degree, parameters) @ np.asarray(self.coefficients, dtype=float)
+
     def kernel_law(self):
         """The same as a pnkernel.Law."""
         law = kernel.pnkernel().Law
@@ -100,8 +106,8 @@ def _table(obj, spine):
     positions, radii = np.asarray(obj.Positions), np.asarray(obj.Radii)
     if len(positions) != len(radii) or len(radii) == 0:
         raise RadiusLawError(
-            f"The table has {len(positions)} positions and {len(radii)} radii. Give each position"
-            " a radius, and at least one."
+            f"The table has {len(positions)} positions and {len(radii)} values. Give each position"
+            " a value, and at least one."
         )
     scale = measure(spine, obj.PositionBy)
     order = np.argsort(positions, kind="stable")
@@ -116,11 +122,15 @@ def _table(obj, spine):
     return _through(spine, *_extended(spine, parameters, radii))
 
 
+def radius_expression(obj, spine):
+    """The RadiusExpression of feature `obj`. Raises RadiusLawError when the text is none."""
+    dimension = 1 if obj.PositionBy == ARC_LENGTH else 0
+    return RadiusExpression(obj.RadiusExpression, dimension, spine.length)
+
+
 def _expression(obj, spine):
     scale = measure(spine, obj.PositionBy)
-    dimension = 1 if obj.PositionBy == ARC_LENGTH else 0
-    expression = RadiusExpression(obj.RadiusExpression, dimension, spine.length)
-    return _fitted(_AlongSpine(expression, scale), obj, spine)
+    return _fitted(_AlongSpine(radius_expression(obj, spine), scale), obj, spine)
 
 
 def _profile(obj, spine):

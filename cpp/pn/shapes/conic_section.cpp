@@ -247,8 +247,12 @@ ConicSpan from_the_vertex(const Span& span) {
   const RationalSpan<1>&radius = span.laws[0], &constant = span.laws[1], &depth = span.laws[2];
   require_positive(radius.numerator[0], span, "The radius of curvature at the vertex");
   require_positive(depth.numerator[0], span, "The depth");
-  const Polynomial zero, unit = length(span.upwards, span);
   const Polynomial one_and_constant = constant.denominator + constant.numerator[0];
+  // Of 2 R / (1 + K) - h, which is positive for parabolas and hyperbolas anyway.
+  require_positive(Polynomial(2L) * radius.numerator[0] * constant.denominator * depth.denominator -
+                       one_and_constant * depth.numerator[0] * radius.denominator,
+                   span, "The height of the ellipse above the depth");
+  const Polynomial zero, unit = length(span.upwards, span);
   const Polynomial linear =
       -radius.numerator[0] * constant.denominator * unit * span.spheres.denominator;
   return {

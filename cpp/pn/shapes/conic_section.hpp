@@ -51,9 +51,8 @@ struct VertexForm {
 
 using ConicSection = std::variant<HalfAxes, VertexForm>;
 
-/// One span for each between breaks of spine and laws. Throws GeometryError: kZeroLength,
-/// kBadAxis, kBadAxis, kCornerTooSharp, kNotFinite, kDomainMismatch; kNotRational for a vertex
-/// form whose |e2| is not.
+/// One span for each between breaks of spine and laws. Throws GeometryError: kZeroLength, kBadAxis,
+/// kCornerTooSharp, kNotFinite, kDomainMismatch; kNotRational for a vertex form whose |e2| is not.
 std::vector<ConicSpan> moving_conic_section(const Curve& spine, const SectionPlanes& planes,
                                             const ConicSection& section);
 
