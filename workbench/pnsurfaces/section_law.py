@@ -5,6 +5,7 @@ The quantities of its conics run along the spine by laws of one kind, each as th
 surface does.
 """
 
+import itertools
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
@@ -75,7 +76,8 @@ def inputs_of_law(section, law):
 
 def inputs_of_all_laws():
     """The names of the properties that some choice of section and law reads."""
-    return {name for section in SECTIONS for law in INPUTS_OF_LAW for name in inputs_of_law(section, law)}
+    choices = itertools.product(SECTIONS, INPUTS_OF_LAW)
+    return set(itertools.chain.from_iterable(inputs_of_law(*choice) for choice in choices))
 
 
 def section_laws(obj, spine):
@@ -84,6 +86,11 @@ def section_laws(obj, spine):
     Raises SectionLawError.
     """
     return [_law(obj, quantity, spine) for quantity in SECTIONS[obj.Section].quantities]
+
+
+def number_of_property(obj, name):
+    """The value of a property as a quantity, whether or not it has a unit."""
+    return FreeCAD.Units.Quantity(getattr(obj, name))
 
 
 def values_of_law(section, given):
@@ -125,8 +132,8 @@ def _named(pattern, quantities, values):
 def _law(obj, quantity, spine):
     inputs = SimpleNamespace(
         RadiusLaw=obj.SectionLaw,
-        Radius=_number(obj, f"{quantity.name}"),
-        EndRadius=_number(obj, f"End{quantity.name}"),
+        Radius=number_of_property(obj, quantity.name),
+        EndRadius=number_of_property(obj, f"End{quantity.name}"),
         Radii=getattr(obj, quantity.plural),
         RadiusExpression=getattr(obj, f"{quantity.name}Expression"),
         PositionBy=obj.PositionBy,
@@ -139,11 +146,6 @@ def _law(obj, quantity, spine):
     except RadiusLawError as error:
         raise SectionLawError(f"{quantity.words.capitalize()}: {error}") from error
     return law._replace(fits=tuple(fit._replace(what=quantity.words) for fit in law.fits))
-
-
-def _number(obj, name):
-    """A property with or without a unit as a quantity."""
-    return FreeCAD.Units.Quantity(getattr(obj, name))
 
 
 def _require_no_length(inputs, quantity, spine):
