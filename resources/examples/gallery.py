@@ -133,4 +133,14 @@ EXAMPLES = (
         ),
         ("Duct",), ("Duct",), -65, 30,
     ),
+    Example(
+        "trough",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Trough"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces",
+            "A reflector along a lamp: hyperbolas that spread its light, then a parabola, then ellipses"
+            " that gather it.",
+        ),
+        ("Trough", "Lamp"), ("Lamp",), 50, 30,
+    ),
 )

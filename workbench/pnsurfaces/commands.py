@@ -194,13 +194,13 @@ class MirrorWavefrontCommand(CreationCommand):
 
 
 class MovingConicSectionCommand(CreationCommand):
-    """Makes the surface of ellipses along the selected spine and opens its task panel."""
+    """Makes the surface of conics along the selected spine and opens its task panel."""
 
     name = "PNSurfaces_MovingConicSection"
     menu_text = QT_TRANSLATE_NOOP("PNSurfaces_MovingConicSection", "Moving Conic Section…")
     tooltip = QT_TRANSLATE_NOOP(
         "PNSurfaces_MovingConicSection",
-        "Creates the exact surface of ellipses along a spine, whose half-axes change"
+        "Creates the exact surface of ellipses, parabolas or hyperbolas along a spine, which change"
     )
     page = "moving_conic_section_command.md"
     transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Moving conic section")

@@ -9,7 +9,12 @@ from pnsurfaces.moving_conic_section import PARALLEL, spine_of
 from pnsurfaces.panel import load_form
 from pnsurfaces.position import ARC_LENGTH
 from pnsurfaces.radius_law import EXPRESSION, TABLE
-from pnsurfaces.radius_table import RadiusTable, length_column, number_column
+from pnsurfaces.radius_table import (
+    RadiusTable,
+    length_column,
+    number_column,
+    short_length_column,
+)
 from pnsurfaces.section_law import (
     SECTIONS,
     inputs_of_all_laws,
@@ -25,9 +30,9 @@ translate = FreeCAD.Qt.translate
 _COLUMNS = {
     "HalfWidth": (length_column, QT_TRANSLATE_NOOP("PNSurfaces", "To the side")),
     "HalfHeight": (length_column, QT_TRANSLATE_NOOP("PNSurfaces", "Upwards")),
-    "Radius": (length_column, QT_TRANSLATE_NOOP("PNSurfaces", "Radius")),
-    "ConicConstant": (number_column, QT_TRANSLATE_NOOP("PNSurfaces", "Constant")),
-    "Depth": (length_column, QT_TRANSLATE_NOOP("PNSurfaces", "Depth")),
+    "Radius": (short_length_column, QT_TRANSLATE_NOOP("PNSurfaces", "Radius")),
+    "ConicConstant": (number_column, QT_TRANSLATE_NOOP("PNSurfaces", "K")),
+    "Depth": (short_length_column, QT_TRANSLATE_NOOP("PNSurfaces", "Depth")),
 }
 
 
@@ -41,6 +46,7 @@ class MovingConicSectionPanel(SpinePanel):
         self.up = _one_row(form.up)
         for name in ("Normal", "Up", *inputs_of_all_laws()):
             self.record(name)
+        _share_width(form.radii)
         self.normal.edited.connect(lambda: self._assign_row("Normal", self.normal))
         self.up.edited.connect(lambda: self._assign_row("Up", self.up))
         connect(form.Planes, "currentTextChanged(QString)", self._show_planes)
@@ -109,5 +115,10 @@ def _one_row(view):
     """A table for one direction, in its view."""
     table = RadiusTable()
     view.setModel(table)
-    view.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
+    _share_width(view)
     return table
+
+
+def _share_width(view):
+    """All columns are seen, equally wide."""
+    view.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
