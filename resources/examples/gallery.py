@@ -138,8 +138,8 @@ EXAMPLES = (
         QT_TRANSLATE_NOOP("PNSurfaces", "Trough"),
         QT_TRANSLATE_NOOP(
             "PNSurfaces",
-            "A reflector along a lamp: hyperbolas that spread its light, then a parabola, then ellipses"
-            " that gather it.",
+            "A reflector along a lamp: hyperbolas that spread its light, then a parabola, then"
+            " ellipses that gather it.",
         ),
         ("Trough", "Lamp"), ("Lamp",), 50, 30,
     ),

@@ -108,6 +108,10 @@ class PanelTest(SectionTest):
         self.input("Planes").setCurrentText("Parallel")
         self.assertFalse(self.input("HalfWidth").isVisible())
         self.assertFalse(self.input("EndDepth").isVisible())
+        wait_for_preview()
+        self.assertTrue(self.feature.isValid(), self.feature.getStatusString())
+        half_width_squared = 2 * self.feature.Radius.Value * self.feature.Depth.Value
+        self.assertAlmostEqual(half_width_squared, self.feature.HalfWidth.Value**2)
         for name, text in (("Radius", "12"), ("Depth", "8"), ("ConicConstant", "-1.125")):
             main_window.type_text(self.input(name), text)
         wait_for_preview()

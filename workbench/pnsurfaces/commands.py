@@ -209,8 +209,15 @@ class MovingConicSectionCommand(CreationCommand):
         spine = _needed_spine(selection)
         radius = _start_radius(spine)
         half_axes, up = repr((2 * radius, radius)), repr(suitable_up(_edges(spine)))
-        lines = f"ParameterLines={preferences.parameter_lines()!r}"
-        return f"pnsurfaces.make_moving_conic_section({literal(spine)}, {half_axes}, up={up}, {lines})"
+        # As wide and high whatever is chosen in the panel: 2 R h is the square of half the width.
+        properties = {
+            **dict.fromkeys(("EndHalfWidth", "Radius", "EndRadius"), 2 * radius),
+            **dict.fromkeys(("EndHalfHeight", "Depth", "EndDepth"), radius),
+            "ParameterLines": preferences.parameter_lines(),
+        }
+        values = ", ".join(f"{name}={value!r}" for name, value in properties.items())
+        given = f"{literal(spine)}, {half_axes}, up={up}, {values}"
+        return f"pnsurfaces.make_moving_conic_section({given})"
 
 
 class ExportStepCommand(Command):
