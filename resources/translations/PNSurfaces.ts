@@ -360,7 +360,7 @@
             <translation type="unfinished" />
         </message>
         <message>
-            <source>Whether sections are perpendicular to the spine or parallel to one another</source>
+            <source>Whether sections are perpendicular to the spine, parallel to one another, or upright: through the direction upwards, perpendicular to the spine as it is seen along that</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -1194,6 +1194,10 @@
         </message>
         <message>
             <source>Typed below</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Upright</source>
             <translation type="unfinished" />
         </message>
         <message>

@@ -360,8 +360,8 @@
             <translation>Ob nur die Rundung auf Gleitkommazahlen abweicht</translation>
         </message>
         <message>
-            <source>Whether sections are perpendicular to the spine or parallel to one another</source>
-            <translation>Ob Schnitte senkrecht zur Leitkurve oder parallel zueinander sind</translation>
+            <source>Whether sections are perpendicular to the spine, parallel to one another, or upright: through the direction upwards, perpendicular to the spine as it is seen along that</source>
+            <translation>Ob Schnitte senkrecht zur Leitkurve, parallel zueinander oder aufrecht sind: durch die Richtung nach oben, senkrecht zur Leitkurve, wie sie entlang dieser gesehen wird</translation>
         </message>
         <message>
             <source>Whether the light is parallel or comes from a point</source>
@@ -1195,6 +1195,10 @@
         <message>
             <source>Typed below</source>
             <translation>Unten eingegeben</translation>
+        </message>
+        <message>
+            <source>Upright</source>
+            <translation>Aufrecht</translation>
         </message>
         <message>
             <source>Upwards</source>

@@ -256,6 +256,24 @@ class FromTheVertex(SectionTest):
         self.assertEqual(obj.Status, "Valid")
         self.assert_certified(obj)
 
+    def test_upright_sections_of_a_spine_in_space_and_of_a_tilted_circle(self):
+        for source, up in (
+            (self.spline_object(), (0, 0, 1)),
+            (self.shape_object(Part.makeCircle(20, Vector(1, 2, 3), Vector(1, 2, 3))), (1, 2, 3)),
+        ):
+            obj = self.make(source, vertex=(6, -1.5, 4), up=up, Planes="Upright")
+            self.assertEqual(obj.Status, "Valid")
+            self.assertTrue(obj.Exact)
+            self.assert_certified(obj)
+            # The edge is the depth above the spine, and the half-width beside it as seen from above.
+            edge = source.Shape.Edges[0]
+            parameter = edge.FirstParameter + 0.3 * (edge.LastParameter - edge.FirstParameter)
+            upwards = Vector(*up).normalize()
+            side = edge.tangentAt(parameter).cross(upwards).normalize()
+            for sign in (1, -1):
+                place = edge.valueAt(parameter) + 4 * upwards
+                self.assert_on(obj, place + sign * self.half_width(6, -1.5, 4) * side, 1e-5)
+
     def test_a_change_of_the_section_and_back(self):
         obj = self.make(self.line_object(30), (4, 2), up=(0, 1, 0))
         data = shape_data(obj.Shape)
@@ -396,9 +414,10 @@ class RefusalsFromTheVertex(RefusalTest):
         self.spine.Shape = spline().toShape()
         self.document.recompute()
         self.assert_error(self.obj, "Sections from the vertex are not rational")
-        self.obj.Planes = "Parallel"
-        self.document.recompute()
-        self.assert_valid(self.obj)
+        for planes in ("Parallel", "Upright"):
+            self.obj.Planes = planes
+            self.document.recompute()
+            self.assert_valid(self.obj)
 
     def test_a_solid(self):
         self.obj.Output = "Solid"

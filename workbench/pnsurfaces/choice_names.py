@@ -38,6 +38,7 @@ CHOICES = (
     QT_TRANSLATE_NOOP("PNSurfaces", "Inner skin"),
     QT_TRANSLATE_NOOP("PNSurfaces", "Perpendicular"),
     QT_TRANSLATE_NOOP("PNSurfaces", "Parallel"),
+    QT_TRANSLATE_NOOP("PNSurfaces", "Upright"),
     QT_TRANSLATE_NOOP("PNSurfaces", "Ellipse"),
     QT_TRANSLATE_NOOP("PNSurfaces", "From the vertex"),
     QT_TRANSLATE_NOOP("PNSurfaces", "From a point"),

@@ -14,7 +14,7 @@ coordinates, so that a bound of 1e-14 mm on a surface of 100 mm is met, but not 
   spheres |x - m(u, v)| = r(u, v) + d: a point of it is on one sphere and outside all its
   neighbours, (x - m).m_u + (r + d) r_u = 0 and likewise for v.
 - A moving conic section has the points x in the plane of a section, (x - m).m' = 0 or with a fixed
-  normal for m', whose coordinates p to the side and q upwards have (p / a)^2 + (q / b)^2 = 1 or,
+  normal or m' less its part along up for m', whose coordinates p to the side and q upwards have (p / a)^2 + (q / b)^2 = 1 or,
   from the vertex, p^2 = 2 R q - (1 + K) q^2.
 - The wavefront of a mirror of path length d is the envelope of the spheres |x - m(u, v)| = d - s(u, v)
   around its points, where s is the path of the light to m: Huygens' principle.
@@ -145,14 +145,15 @@ class Sections(NamedTuple):
     """Conics along a spine: the PiecewiseRational functions of its points (3) and their laws (1).
 
     `conic` is Ellipse or VertexConic. `up` (3,) and `normal` (3,), or None where the planes are
-    perpendicular to the spine.
+    perpendicular to the spine or, as `planes` says, upright.
     """
 
     spine: Any
     laws: Any
     conic: Any
     up: Any
-    normal: Any
+    normal: Any = None
+    planes: str = "perpendicular"
 
     @property
     def words(self):
@@ -169,6 +170,8 @@ class Sections(NamedTuple):
         across = speed if self.normal is None else np.broadcast_to(self.normal, speed.shape)
         rays = points - centre
         side = np.cross(across, self.up)
+        if self.planes == "upright":
+            across = np.cross(self.up, side)
         conic = self.conic(*(law.with_derivative(t, inside)[0][..., 0] for law in self.laws))
         p, q = (_dot(rays, axis) / _length(axis) for axis in (side, np.cross(side, across)))
         return _dot(rays, across), conic.deviation(p, q)
@@ -594,8 +597,8 @@ def _spheres(spine, radius):
 def _sections(obj):
     spine, laws = read_section(obj)
     laws = [PiecewiseRational(law.spans_over(spine)) for law in laws]
-    conic, planes = _CONICS[obj.Section], {"normal": None, **planes_of(obj)}
-    return Sections(PiecewiseRational(spine.spans), laws, conic, **planes)
+    conic = _CONICS[obj.Section]
+    return Sections(PiecewiseRational(spine.spans), laws, conic, **planes_of(obj))
 
 
 def _rulings(obj):

@@ -38,6 +38,14 @@ _UPRIGHT = (FreeCAD.Vector(0, 0, 1), FreeCAD.Vector(0, 1, 0), FreeCAD.Vector(1, 
 
 PERPENDICULAR = "Perpendicular"
 PARALLEL = "Parallel"
+UPRIGHT = "Upright"
+
+# Where the sections lie, as keywords of pnkernel.moving_conic_section.
+_PLANES = {
+    PERPENDICULAR: lambda inputs: {},
+    PARALLEL: lambda inputs: {"normal": tuple(inputs.Normal)},
+    UPRIGHT: lambda inputs: {"planes": "upright"},
+}
 
 
 class SectionError(ValueError):
@@ -53,9 +61,10 @@ class MovingConicSection(FeatureWithoutOffsets):
                                    "Edges through the centres or vertices of the sections")),
         Property("App::PropertyEnumeration", "Planes", GROUP,
                  QT_TRANSLATE_NOOP("App::Property",
-                                   "Whether sections are perpendicular to the spine or parallel to"
-                                   " one another"),
-                 [PERPENDICULAR, PARALLEL]),
+                                   "Whether sections are perpendicular to the spine, parallel to"
+                                   " one another, or upright: through the direction upwards,"
+                                   " perpendicular to the spine as it is seen along that"),
+                 list(_PLANES)),
         Property("App::PropertyVector", "Normal", GROUP,
                  QT_TRANSLATE_NOOP("App::Property", "The direction that parallel sections are"
                                                     " perpendicular to"),
@@ -214,8 +223,7 @@ def spine_of(obj, source, names):
 
 def planes_of(inputs):
     """Where the sections lie, as keywords of pnkernel.moving_conic_section."""
-    normal = {"normal": tuple(inputs.Normal)} if inputs.Planes == PARALLEL else {}
-    return {"up": tuple(inputs.Up), **normal}
+    return {"up": tuple(inputs.Up), **_PLANES[inputs.Planes](inputs)}
 
 
 def read_section(obj):
@@ -231,9 +239,9 @@ def _spine(obj):
     if obj.Spine is None:
         raise ChainError("The spine is missing. Choose an edge, a wire or a sketch.")
     spine = spine_of(obj, *obj.Spine)
-    if spine.fits and obj.Planes == PERPENDICULAR:
+    if spine.fits and obj.Planes != PARALLEL:
         raise SectionError(
-            f"The spine has no exact form ({spine.fits[0].what}). How far planes perpendicular to"
+            f"The spine has no exact form ({spine.fits[0].what}). How far planes that turn with"
             " its fit would be off is not known: choose parallel sections, or another spine."
         )
     return spine
@@ -274,7 +282,8 @@ def make_moving_conic_section(spine, half_axes=None, *, vertex=None, up=(0, 0, 1
         upwards from the spine, to z = h: radius of curvature, conic constant (a number), depth
     up : direction upwards. In the plane of a section the height runs along its projection, at the
         start of the spine, and goes on smoothly from there; the side is perpendicular to it.
-    normal : that of parallel sections; none for sections perpendicular to the spine
+    normal : that of parallel sections; none for sections perpendicular to the spine, or upright
+        ones, with Planes="Upright"
     document : the document of the spine unless given
     name : wanted internal name and label
     properties : values of further properties, such as Output="Solid" or PositionBy="Arc length"
