@@ -28,6 +28,22 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Conic constant at the end</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Conic constant by the position s, a plain number, such as -1 + 0.5 * sin(pi*s)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Conic constant, everywhere or at the start: below -1 a hyperbola, -1 a parabola, above an ellipse, 0 a circle</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Conic constants at the positions</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Degree along and across the faces</source>
             <translation type="unfinished" />
         </message>
@@ -48,11 +64,15 @@
             <translation type="unfinished" />
         </message>
         <message>
-            <source>Edges through the centres of the sections</source>
+            <source>Edges through the centres of the spheres</source>
             <translation type="unfinished" />
         </message>
         <message>
-            <source>Edges through the centres of the spheres</source>
+            <source>Edges through the centres or vertices of the sections</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Ellipses around the spine, or conics that open upwards from their vertex on the spine</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -120,11 +140,27 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>How high a section goes above its vertex by the position s and the length L of the spine, such as 10 mm</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>How high a section goes above its vertex, at the end</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>How high a section goes above its vertex, everywhere or at the start</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>How high sections go above their vertex at the positions, in mm</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>How the ends of a solid are closed</source>
             <translation type="unfinished" />
         </message>
         <message>
-            <source>How the half-axes run along the spine</source>
+            <source>How the measures of the sections run along the spine</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -168,11 +204,11 @@
             <translation type="unfinished" />
         </message>
         <message>
-            <source>Positions of the half-axes on the spine, arc lengths in mm</source>
+            <source>Positions of the radii on the spine, arc lengths in mm</source>
             <translation type="unfinished" />
         </message>
         <message>
-            <source>Positions of the radii on the spine, arc lengths in mm</source>
+            <source>Positions of the rows of the table on the spine, arc lengths in mm</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -181,6 +217,10 @@
         </message>
         <message>
             <source>Radii at the vertices or positions, or Bezier coefficients, in mm</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Radii of curvature at the vertex at the positions, in mm</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -197,6 +237,18 @@
         </message>
         <message>
             <source>Radius by the position s and the length L of the spine, such as 2 mm + 0.5 mm * sin(2*pi*s)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Radius of curvature at the vertex by the position s and the length L of the spine, such as 20 mm + 5 mm * s</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Radius of curvature at the vertex, at the end</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Radius of curvature at the vertex, everywhere or at the start</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -332,7 +384,7 @@
             <translation type="unfinished" />
         </message>
         <message>
-            <source>Whether sections are perpendicular to the spine or parallel to one another</source>
+            <source>Whether sections are perpendicular to the spine, parallel to one another, or upright: through the direction upwards, perpendicular to the spine as it is seen along that</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -559,11 +611,23 @@
     <context>
         <name>MovingConicSection</name>
         <message>
+            <source>-1 + 0.5 * sin(pi*s)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>10 mm</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>10 mm * exp(s)</source>
             <translation type="unfinished" />
         </message>
         <message>
             <source>20 mm + 5 mm * cos(pi*s)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>20 mm + 5 mm * s</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -575,11 +639,27 @@
             <translation type="unfinished" />
         </message>
         <message>
-            <source>Fit within</source>
+            <source>Along the spine</source>
             <translation type="unfinished" />
         </message>
         <message>
-            <source>Half-axes</source>
+            <source>Conic constant</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Constant at end</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Depth</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Depth at end</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Fit within</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -603,6 +683,14 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Radius at end</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Radius at vertex</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Remove</source>
             <translation type="unfinished" />
         </message>
@@ -612,6 +700,10 @@
         </message>
         <message>
             <source>Replaces the rows by those copied from a spreadsheet (Ctrl+V pastes at the current row)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Section</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -725,6 +817,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>A reflector along a lamp: hyperbolas that spread its light, then a parabola, then ellipses that gather it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>A rotor of blades between two offsets of the ruled surface from root to tip.</source>
             <translation type="unfinished" />
         </message>
@@ -809,6 +905,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Depth</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Distances without singular points; beyond the surface folds.</source>
             <translation type="unfinished" />
         </message>
@@ -822,6 +922,10 @@
         </message>
         <message>
             <source>Edit {}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Ellipse</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -853,6 +957,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>From the vertex</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Gauss curvature, 1/mm²</source>
             <translation type="unfinished" />
         </message>
@@ -878,6 +986,10 @@
         </message>
         <message>
             <source>Intake horn</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>K</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -1105,6 +1217,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Trough</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Twisted blade</source>
             <translation type="unfinished" />
         </message>
@@ -1118,6 +1234,10 @@
         </message>
         <message>
             <source>Typed below</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Upright</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -1384,7 +1504,7 @@
     <context>
         <name>PNSurfaces_MovingConicSection</name>
         <message>
-            <source>Creates the exact surface of ellipses along a spine, whose half-axes change</source>
+            <source>Creates the exact surface of ellipses, parabolas or hyperbolas along a spine, which change</source>
             <translation type="unfinished" />
         </message>
         <message>

@@ -28,6 +28,22 @@
             <translation>Mittelpunkte der Kugeln: Punkte der Mittelfläche, eines Graphen über der Ebene z = 0</translation>
         </message>
         <message>
+            <source>Conic constant at the end</source>
+            <translation>Konische Konstante am Ende</translation>
+        </message>
+        <message>
+            <source>Conic constant by the position s, a plain number, such as -1 + 0.5 * sin(pi*s)</source>
+            <translation>Konische Konstante nach der Position s, eine reine Zahl, etwa -1 + 0.5 * sin(pi*s)</translation>
+        </message>
+        <message>
+            <source>Conic constant, everywhere or at the start: below -1 a hyperbola, -1 a parabola, above an ellipse, 0 a circle</source>
+            <translation>Konische Konstante, überall oder am Anfang: unter -1 eine Hyperbel, -1 eine Parabel, darüber eine Ellipse, 0 ein Kreis</translation>
+        </message>
+        <message>
+            <source>Conic constants at the positions</source>
+            <translation>Konische Konstanten an den Positionen</translation>
+        </message>
+        <message>
             <source>Degree along and across the faces</source>
             <translation>Grad entlang und quer zu den Flächen</translation>
         </message>
@@ -48,12 +64,16 @@
             <translation>Kanten, durch die das Rohr verläuft</translation>
         </message>
         <message>
-            <source>Edges through the centres of the sections</source>
-            <translation>Kanten durch die Mitten der Schnitte</translation>
-        </message>
-        <message>
             <source>Edges through the centres of the spheres</source>
             <translation>Kanten durch die Mittelpunkte der Kugeln</translation>
+        </message>
+        <message>
+            <source>Edges through the centres or vertices of the sections</source>
+            <translation>Kanten durch die Mitten oder Scheitel der Schnitte</translation>
+        </message>
+        <message>
+            <source>Ellipses around the spine, or conics that open upwards from their vertex on the spine</source>
+            <translation>Ellipsen um die Leitkurve oder Kegelschnitte, die sich vom Scheitel auf der Leitkurve nach oben öffnen</translation>
         </message>
         <message>
             <source>Estimated error of the area</source>
@@ -120,12 +140,28 @@
             <translation>Wie schnell sich Höhe und Radius längs x ändern, dann längs y, vier Zahlen je Punkt; keine, damit sie geschätzt werden</translation>
         </message>
         <message>
+            <source>How high a section goes above its vertex by the position s and the length L of the spine, such as 10 mm</source>
+            <translation>Wie hoch ein Schnitt über seinen Scheitel reicht, nach der Position s und der Länge L der Leitkurve, etwa 10 mm</translation>
+        </message>
+        <message>
+            <source>How high a section goes above its vertex, at the end</source>
+            <translation>Wie hoch ein Schnitt am Ende über seinen Scheitel reicht</translation>
+        </message>
+        <message>
+            <source>How high a section goes above its vertex, everywhere or at the start</source>
+            <translation>Wie hoch ein Schnitt über seinen Scheitel reicht, überall oder am Anfang</translation>
+        </message>
+        <message>
+            <source>How high sections go above their vertex at the positions, in mm</source>
+            <translation>Wie hoch Schnitte an den Positionen über ihren Scheitel reichen, in mm</translation>
+        </message>
+        <message>
             <source>How the ends of a solid are closed</source>
             <translation>Wie die Enden eines Volumenkörpers geschlossen werden</translation>
         </message>
         <message>
-            <source>How the half-axes run along the spine</source>
-            <translation>Wie die Halbachsen entlang der Leitkurve verlaufen</translation>
+            <source>How the measures of the sections run along the spine</source>
+            <translation>Wie die Maße der Schnitte entlang der Leitkurve verlaufen</translation>
         </message>
         <message>
             <source>How the radius runs along the spine</source>
@@ -168,12 +204,12 @@
             <translation>Offene Flächen, oder ein Volumenkörper mit geschlossenen Enden</translation>
         </message>
         <message>
-            <source>Positions of the half-axes on the spine, arc lengths in mm</source>
-            <translation>Positionen der Halbachsen auf der Leitkurve, Bogenlängen in mm</translation>
-        </message>
-        <message>
             <source>Positions of the radii on the spine, arc lengths in mm</source>
             <translation>Positionen der Radien auf der Leitkurve, Bogenlängen in mm</translation>
+        </message>
+        <message>
+            <source>Positions of the rows of the table on the spine, arc lengths in mm</source>
+            <translation>Positionen der Tabellenzeilen auf der Leitkurve, Bogenlängen in mm</translation>
         </message>
         <message>
             <source>Positions of the squared radii on the spine, arc lengths in mm</source>
@@ -182,6 +218,10 @@
         <message>
             <source>Radii at the vertices or positions, or Bezier coefficients, in mm</source>
             <translation>Radien an den Knoten oder Positionen, oder Bézier-Koeffizienten, in mm</translation>
+        </message>
+        <message>
+            <source>Radii of curvature at the vertex at the positions, in mm</source>
+            <translation>Krümmungsradien am Scheitel an den Positionen, in mm</translation>
         </message>
         <message>
             <source>Radii of the spheres in mm: half the thickness there</source>
@@ -198,6 +238,18 @@
         <message>
             <source>Radius by the position s and the length L of the spine, such as 2 mm + 0.5 mm * sin(2*pi*s)</source>
             <translation>Radius nach der Position s und der Länge L der Leitkurve, zum Beispiel 2 mm + 0.5 mm * sin(2*pi*s)</translation>
+        </message>
+        <message>
+            <source>Radius of curvature at the vertex by the position s and the length L of the spine, such as 20 mm + 5 mm * s</source>
+            <translation>Krümmungsradius am Scheitel nach der Position s und der Länge L der Leitkurve, etwa 20 mm + 5 mm * s</translation>
+        </message>
+        <message>
+            <source>Radius of curvature at the vertex, at the end</source>
+            <translation>Krümmungsradius am Scheitel, am Ende</translation>
+        </message>
+        <message>
+            <source>Radius of curvature at the vertex, everywhere or at the start</source>
+            <translation>Krümmungsradius am Scheitel, überall oder am Anfang</translation>
         </message>
         <message>
             <source>Radius of the bore, the same everywhere</source>
@@ -332,8 +384,8 @@
             <translation>Ob nur die Rundung auf Gleitkommazahlen abweicht</translation>
         </message>
         <message>
-            <source>Whether sections are perpendicular to the spine or parallel to one another</source>
-            <translation>Ob Schnitte senkrecht zur Leitkurve oder parallel zueinander sind</translation>
+            <source>Whether sections are perpendicular to the spine, parallel to one another, or upright: through the direction upwards, perpendicular to the spine as it is seen along that</source>
+            <translation>Ob Schnitte senkrecht zur Leitkurve, parallel zueinander oder aufrecht sind: durch die Richtung nach oben, senkrecht zur Leitkurve, wie sie entlang dieser gesehen wird</translation>
         </message>
         <message>
             <source>Whether the light is parallel or comes from a point</source>
@@ -559,12 +611,24 @@
     <context>
         <name>MovingConicSection</name>
         <message>
+            <source>-1 + 0.5 * sin(pi*s)</source>
+            <translation>-1 + 0.5 * sin(pi*s)</translation>
+        </message>
+        <message>
+            <source>10 mm</source>
+            <translation>10 mm</translation>
+        </message>
+        <message>
             <source>10 mm * exp(s)</source>
             <translation>10 mm * exp(s)</translation>
         </message>
         <message>
             <source>20 mm + 5 mm * cos(pi*s)</source>
             <translation>20 mm + 5 mm * cos(pi*s)</translation>
+        </message>
+        <message>
+            <source>20 mm + 5 mm * s</source>
+            <translation>20 mm + 5 mm * s</translation>
         </message>
         <message>
             <source>Add</source>
@@ -575,12 +639,28 @@
             <translation>Fügt unter der aktuellen Zeile eine Zeile ein</translation>
         </message>
         <message>
-            <source>Fit within</source>
-            <translation>Angenähert auf</translation>
+            <source>Along the spine</source>
+            <translation>Entlang der Leitkurve</translation>
         </message>
         <message>
-            <source>Half-axes</source>
-            <translation>Halbachsen</translation>
+            <source>Conic constant</source>
+            <translation>Konische Konstante</translation>
+        </message>
+        <message>
+            <source>Constant at end</source>
+            <translation>Konstante am Ende</translation>
+        </message>
+        <message>
+            <source>Depth</source>
+            <translation>Tiefe</translation>
+        </message>
+        <message>
+            <source>Depth at end</source>
+            <translation>Tiefe am Ende</translation>
+        </message>
+        <message>
+            <source>Fit within</source>
+            <translation>Angenähert auf</translation>
         </message>
         <message>
             <source>Moving conic section</source>
@@ -603,6 +683,14 @@
             <translation>Position nach</translation>
         </message>
         <message>
+            <source>Radius at end</source>
+            <translation>Radius am Ende</translation>
+        </message>
+        <message>
+            <source>Radius at vertex</source>
+            <translation>Scheitelradius</translation>
+        </message>
+        <message>
             <source>Remove</source>
             <translation>Entfernen</translation>
         </message>
@@ -613,6 +701,10 @@
         <message>
             <source>Replaces the rows by those copied from a spreadsheet (Ctrl+V pastes at the current row)</source>
             <translation>Ersetzt die Zeilen durch die aus einer Tabellenkalkulation kopierten (Strg+V fügt bei der aktuellen Zeile ein)</translation>
+        </message>
+        <message>
+            <source>Section</source>
+            <translation>Schnitt</translation>
         </message>
         <message>
             <source>Side at end</source>
@@ -725,6 +817,10 @@
             <translation>Ein hyperbolisches Paraboloid aus Beton, überall gleich dick.</translation>
         </message>
         <message>
+            <source>A reflector along a lamp: hyperbolas that spread its light, then a parabola, then ellipses that gather it.</source>
+            <translation>Ein Reflektor entlang einer Lampe: Hyperbeln, die ihr Licht streuen, dann eine Parabel, dann Ellipsen, die es sammeln.</translation>
+        </message>
+        <message>
             <source>A rotor of blades between two offsets of the ruled surface from root to tip.</source>
             <translation>Ein Rotor aus Schaufeln zwischen zwei Versatzflächen der Regelfläche von der Wurzel zur Spitze.</translation>
         </message>
@@ -809,6 +905,10 @@
             <translation>Grad {}, Segmente {}, Knoten {}, {}</translation>
         </message>
         <message>
+            <source>Depth</source>
+            <translation>Tiefe</translation>
+        </message>
+        <message>
             <source>Distances without singular points; beyond the surface folds.</source>
             <translation>Abstände ohne singuläre Punkte; jenseits davon faltet sich die Fläche.</translation>
         </message>
@@ -823,6 +923,10 @@
         <message>
             <source>Edit {}</source>
             <translation>{} bearbeiten</translation>
+        </message>
+        <message>
+            <source>Ellipse</source>
+            <translation>Ellipse</translation>
         </message>
         <message>
             <source>Ellipsoid</source>
@@ -853,6 +957,10 @@
             <translation>Von einem Punkt</translation>
         </message>
         <message>
+            <source>From the vertex</source>
+            <translation>Vom Scheitel aus</translation>
+        </message>
+        <message>
             <source>Gauss curvature, 1/mm²</source>
             <translation>Gaußsche Krümmung, 1/mm²</translation>
         </message>
@@ -879,6 +987,10 @@
         <message>
             <source>Intake horn</source>
             <translation>Ansaugtrichter</translation>
+        </message>
+        <message>
+            <source>K</source>
+            <translation>K</translation>
         </message>
         <message>
             <source>Linear</source>
@@ -1105,6 +1217,10 @@
             <translation>Zur Seite</translation>
         </message>
         <message>
+            <source>Trough</source>
+            <translation>Rinne</translation>
+        </message>
+        <message>
             <source>Twisted blade</source>
             <translation>Verwundene Schaufel</translation>
         </message>
@@ -1119,6 +1235,10 @@
         <message>
             <source>Typed below</source>
             <translation>Unten eingegeben</translation>
+        </message>
+        <message>
+            <source>Upright</source>
+            <translation>Aufrecht</translation>
         </message>
         <message>
             <source>Upwards</source>
@@ -1384,8 +1504,8 @@
     <context>
         <name>PNSurfaces_MovingConicSection</name>
         <message>
-            <source>Creates the exact surface of ellipses along a spine, whose half-axes change</source>
-            <translation>Erzeugt die exakte Fläche von Ellipsen entlang einer Leitkurve, deren Halbachsen sich ändern</translation>
+            <source>Creates the exact surface of ellipses, parabolas or hyperbolas along a spine, which change</source>
+            <translation>Erzeugt die exakte Fläche von Ellipsen, Parabeln oder Hyperbeln entlang einer Leitkurve, die sich ändern</translation>
         </message>
         <message>
             <source>Moving Conic Section…</source>

@@ -131,7 +131,8 @@ TEST_CASE("Ellipses have the true half-axes, perpendicular to the spine", "[coni
 TEST_CASE("Ellipses in parallel planes", "[conic_section]") {
   const Curve spine = bent();
   const Vector3d normal(1, 1, 0.5), up(0, 0, 1);
-  const auto spans = moving_conic_section(spine, {{0, 0, 1}, {{1, 1, 0.5}}}, constant_axes(7, 3));
+  const auto spans =
+      moving_conic_section(spine, {{0, 0, 1}, ParallelPlanes{{1, 1, 0.5}}}, constant_axes(7, 3));
   for (const double t : {0.0, 0.5, 1.0}) {
     const auto [side, above] = directions(normal, up);
     for (int i = 0; i < 7; ++i) {
@@ -141,12 +142,35 @@ TEST_CASE("Ellipses in parallel planes", "[conic_section]") {
   }
 }
 
+TEST_CASE("Ellipses in upright planes, across the spine as it is seen from above",
+          "[conic_section]") {
+  const Curve spine = bent();
+  const Vector3d up(0.25, 0, 1);
+  const auto spans =
+      moving_conic_section(spine, {{0.25, 0, 1}, UprightPlanes{}}, constant_axes(7, 3));
+  for (const double t : {0.1, 0.5, 0.9}) {
+    const Vector3d above = up.normalized(), side = tangent(spine, t).cross(up).normalized();
+    for (int i = 0; i < 7; ++i) {
+      const Vector3d x = point(spine, t) + 7 * std::cos(i) * side + 3 * std::sin(i) * above;
+      // The tangent is a difference of points.
+      CHECK(residual(spans[0].conic, t, x) < 1e-6);
+    }
+  }
+}
+
+TEST_CASE("A depth beyond the top of an ellipse is refused", "[conic_section]") {
+  const VertexForm section{Law::constant(10), Law::bezier({-2, 1}), Law::constant(20)};
+  CHECK(mentions(refusal_of(ErrorCode::kBadAxis, bent(), {{0, 0, 1}, UprightPlanes{}}, section),
+                 "ellipse above the depth is negative at parameters 0.666667 to 1"));
+}
+
 TEST_CASE("Sections from the vertex have the optician's equation and depth", "[conic_section]") {
   // In parallel planes whose direction upwards has an irrational length.
   const Curve spine = bent();
   const Vector3d normal(1, 1, 0), up(0, 0.25, 1);
   const VertexForm section{Law::bezier({10, 14}), Law::bezier({-2.5, 0.5}), Law::constant(5)};
-  const auto spans = moving_conic_section(spine, {{0, 0.25, 1}, {{1, 1, 0}}}, section);
+  const auto spans =
+      moving_conic_section(spine, {{0, 0.25, 1}, ParallelPlanes{{1, 1, 0}}}, section);
   REQUIRE(spans.size() == 1);
   REQUIRE(spans[0].cut);
   const auto [side, above] = directions(normal, up);
@@ -195,7 +219,8 @@ TEST_CASE("A tangent joint is none, a corner is refused", "[conic_section]") {
   const std::string sentence =
       refusal_of(ErrorCode::kCornerTooSharp, corner, {{0, 0, 1}, {}}, constant_axes(5, 3));
   CHECK(mentions(sentence, "45 degrees at parameter 1, point (30, 0, 0)"));
-  CHECK(moving_conic_section(corner, {{0, 0, 1}, {{1, 0, 0}}}, constant_axes(5, 3)).size() == 2);
+  CHECK(moving_conic_section(corner, {{0, 0, 1}, ParallelPlanes{{1, 0, 0}}}, constant_axes(5, 3))
+            .size() == 2);
 }
 
 TEST_CASE("Half-axes must be positive", "[conic_section]") {
@@ -217,10 +242,11 @@ TEST_CASE("Directions must give a plane and an upright in it", "[conic_section]"
                  "is that of the spine at parameters 0 to 1"));
   refusal_of(ErrorCode::kBadAxis, straight, {{0, 0, 0}, {}}, axes);
   refusal_of(ErrorCode::kNotFinite, straight, {{0, NAN, 1}, {}}, axes);
-  CHECK(mentions(refusal_of(ErrorCode::kBadAxis, straight, {{0, 1, 0}, {{1, 0, 0}}}, axes),
-                 "within the plane of a section"));
+  CHECK(mentions(
+      refusal_of(ErrorCode::kBadAxis, straight, {{0, 1, 0}, ParallelPlanes{{1, 0, 0}}}, axes),
+      "within the plane of a section"));
   CHECK(mentions(refusal_of(ErrorCode::kBadAxis, Curve::bezier({{0, 0, 0}, {9, 9, 0}, {0, 18, 0}}),
-                            {{0, 0, 1}, {{1, 0, 0}}}, axes),
+                            {{0, 0, 1}, ParallelPlanes{{1, 0, 0}}}, axes),
                  "parallel to the sections at parameter 0.5"));
 }
 

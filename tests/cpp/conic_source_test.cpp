@@ -252,3 +252,22 @@ TEST_CASE("Spans that meet but for rounding are joined, and the gap is counted",
   const auto apart = [&] { surface_of({first, lifted(10L, 3L + Rational::exactly(1e-9))}); };
   CHECK(code_of(apart) == ErrorCode::kGap);
 }
+
+TEST_CASE("Arcs that meet but for rounding are joined, of parabolas too", "[conic_source]") {
+  // x^2 = 2 y - (1 + K) y^2 in planes at rising heights, below y = 2.
+  const auto lifted = [](const Rational& height, const Rational& constant, double off) {
+    const RationalPolynomial one_and_constant(Rational(1L) + constant);
+    ConicSpan span{upright({{{0L, 0L, -1L}, {0L, 1L, 0L}, {-1L, 0L, one_and_constant}}}),
+                   Vector3<RationalPolynomial>{2L, 0L, -1L}};
+    span.conic.frame[2][0] += RationalPolynomial(height);
+    span.conic.frame[1][0] += RationalPolynomial(Rational::exactly(off));
+    return span;
+  };
+  for (const Rational& constant : {Rational(-2L), Rational(-1L), Rational(-1L) / Rational(2L)}) {
+    const ConicSpan first = lifted(0L, constant, 0);
+    const PNSurface joined = surface_of({first, lifted(10L, constant, 0x1p-48)});
+    CHECK(joined.certificate(Lines::kEven).deviation < 1e-13);
+    const auto apart = [&] { surface_of({first, lifted(10L, constant, 1e-9)}); };
+    CHECK(code_of(apart) == ErrorCode::kGap);
+  }
+}

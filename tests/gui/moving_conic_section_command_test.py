@@ -102,6 +102,47 @@ class PanelTest(SectionTest):
         wait_for_preview()
         self.assertTrue(self.feature.isValid(), self.feature.getStatusString())
 
+    def test_from_the_vertex(self):
+        self.assertFalse(self.input("ConicConstant").isVisible())
+        self.input("Section").setCurrentText("From the vertex")
+        self.input("Planes").setCurrentText("Parallel")
+        self.assertFalse(self.input("HalfWidth").isVisible())
+        self.assertFalse(self.input("EndDepth").isVisible())
+        wait_for_preview()
+        self.assertTrue(self.feature.isValid(), self.feature.getStatusString())
+        half_width_squared = 2 * self.feature.Radius.Value * self.feature.Depth.Value
+        self.assertAlmostEqual(half_width_squared, self.feature.HalfWidth.Value**2)
+        for name, text in (("Radius", "12"), ("Depth", "8"), ("ConicConstant", "-1.125")):
+            main_window.type_text(self.input(name), text)
+        wait_for_preview()
+        self.assertTrue(self.feature.isValid(), self.feature.getStatusString())
+        self.assertEqual(self.feature.ConicConstant, -1.125)
+        self.assertEqual(self.feature.Radius.Value, 12)
+        main_window.screenshot("moving_conic_section_from_the_vertex")
+        self.input("Output").setCurrentText("Solid")
+        wait_for_preview()
+        self.assertIn("enclose no solid", self.input("status").text())
+        self.input("Output").setCurrentText("Surface")
+        self.input("Section").setCurrentText("Ellipse")
+        wait_for_preview()
+        self.assertTrue(self.input("HalfWidth").isVisible())
+        self.assertTrue(self.feature.isValid(), self.feature.getStatusString())
+
+    def test_a_table_from_the_vertex_keeps_the_positions(self):
+        self.input("Planes").setCurrentText("Parallel")
+        self.input("SectionLaw").setCurrentText("Table")
+        self.input("radii").setCurrentIndex(self.panel.table.index(0, 0))
+        self.input("add_row").click()
+        positions = list(self.feature.Positions)
+        self.input("Section").setCurrentText("From the vertex")
+        self.assertEqual(list(self.feature.Positions), positions)
+        self.assertEqual(self.panel.table.columnCount(), 4)
+        self.assertTrue(self.panel.table.setData(self.panel.table.index(1, 2), "-0.9"))
+        wait_for_preview()
+        self.assertEqual(list(self.feature.ConicConstants), [-1, -0.9, -1])
+        self.assertTrue(self.feature.isValid(), self.feature.getStatusString())
+        main_window.screenshot("moving_conic_section_vertex_table")
+
     def test_parallel_sections(self):
         self.assertFalse(self.input("normal").isVisible())
         self.input("Planes").setCurrentText("Parallel")

@@ -83,6 +83,38 @@ def test_either_half_axes_or_vertex():
         pn.moving_conic_section(LINE, up=(0, 1, 0))
 
 
+def test_planes_are_of_one_kind():
+    axes = pn.Law.constant(2), pn.Law.constant(1)
+    for planes, normal in (("upright", (0, 0, 1)), ("tilted", None)):
+        with pytest.raises(ValueError, match="planes must be"):
+            pn.moving_conic_section(
+                LINE, up=(0, 1, 0), planes=planes, normal=normal, half_axes=axes)
+
+
+def test_upright_sections_from_the_vertex_of_a_spine_in_space():
+    up = (0.1, 0.2, 1)
+    surface = pn.moving_conic_section(
+        pn.Curve.bspline(*CUBIC.arguments), up=up, planes="upright",
+        vertex=(pn.Law.constant(8), pn.Law.constant(-1.5), pn.Law.constant(4)),
+    )
+    deviation = surface.certificate.deviation
+    assert deviation < 1e-13
+    above = np.array([mpf(x) for x in up])
+    above /= norm(above)
+    (face,) = surface.bsplines()
+    for u in np.linspace(face.u_knots[0], face.u_knots[-1], 4):
+        for v in np.linspace(face.v_knots[0], face.v_knots[-1], 5):
+            x = surface_point(face, u, v)
+            # The parameter along is that of the spine.
+            m, tangent, _ = CUBIC.derivatives(mpf(u), 0)
+            side = np.cross(tangent, above)
+            side /= norm(side)
+            p, q = (x - m) @ side, (x - m) @ above
+            assert norm(x - m - p * side - q * above) < 1e-12
+            value, half_slope = p**2 - 16 * q - 0.5 * q**2, norm(np.array([p, 8 + 0.5 * q]))
+            assert abs(value) / (2 * half_slope) <= 2 * deviation
+
+
 def test_refusals_name_the_place():
     one = pn.Law.constant(1)
     sentence = refused("bad_axis", lambda: pn.moving_conic_section(

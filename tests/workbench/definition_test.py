@@ -7,27 +7,13 @@ import math
 import numpy as np
 import Part
 from FreeCAD import Placement, Rotation, Vector
-from support import RADII, DocumentTest, polyline
+from support import RADII, DocumentTest, polyline, samples
 
 from pnsurfaces import make_canal_surface, make_quadric_offset, make_ruled_offset
 from pnsurfaces.definition import definition_of
-from pnsurfaces.face_grid import face_grid, patches
-from pnsurfaces.shape import own_shape
-from pnsurfaces.spline_grid import points_and_normals
 
 # In mm; the surfaces are some 10 mm to 100 mm in size.
 ROUNDING = 5e-13
-
-
-def samples(obj, rows=12):
-    """Points and normals (n, 3) of all faces, from their edges on."""
-    grids = [face_grid(face) for face in own_shape(obj).Faces]
-    pairs = [
-        points_and_normals(grid.surface, *patch)
-        for grid in grids
-        for patch in patches(grid, rows, rows)
-    ]
-    return [np.concatenate(parts) for parts in zip(*pairs)]
 
 
 class Definitions(DocumentTest):

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Moving conic sections as features: planes, laws, solids, fits, and refusals."""
+"""Moving conic sections as features: conics, planes, laws, solids, fits, and refusals."""
 
 import math
 
 import FreeCAD
 import Part
 from FreeCAD import Vector
-from support import DocumentTest, polyline, shape_data, spline, volume
+from support import DocumentTest, polyline, samples, shape_data, spline, volume
 
 import pnsurfaces
 from pnsurfaces import kernel
+from pnsurfaces.definition import definition_of
 from pnsurfaces.moving_conic_section import suitable_up
 
 
@@ -20,7 +21,7 @@ class SectionTest(DocumentTest):
         return obj
 
     def assert_certified(self, obj):
-        """All samples lie on the ellipses that the properties say."""
+        """All samples lie on the conics that the properties say."""
         (report,) = pnsurfaces.certificate([obj])["objects"]
         (section,) = report["sections"]
         sampled = section["sampling"]
@@ -133,6 +134,18 @@ class Laws(SectionTest):
         self.assert_certified(obj)
         self.assert_on(obj, (4 + math.sin(math.pi / 4), 0, 7.5), 1e-4)
 
+    def test_sections_have_as_many_values_as_they_need(self):
+        for name, given in (
+            ("half_axes", (1, 2, 3)),
+            ("vertex", ((4, -1, 2), (4, -1))),
+            ("vertex", ("Table", [(0, 4, -1)])),
+            ("vertex", ("Expression", ("4 mm", "-1"))),
+        ):
+            with self.subTest(given), self.assertRaisesRegex(ValueError, "There are . values for"):
+                pnsurfaces.make_moving_conic_section(self.line_object(), **{name: given})
+        with self.assertRaisesRegex(ValueError, "Either half_axes or vertex"):
+            pnsurfaces.make_moving_conic_section(self.line_object())
+
     def test_only_the_inputs_of_a_choice_are_shown(self):
         obj = self.make(self.line_object(30), (4, 2), up=(0, 1, 0))
         self.assertIn("Hidden", obj.getEditorMode("EndHalfWidth"))
@@ -140,6 +153,144 @@ class Laws(SectionTest):
         obj.SectionLaw, obj.Planes = "Linear", "Parallel"
         self.assertNotIn("Hidden", obj.getEditorMode("EndHalfWidth"))
         self.assertNotIn("Hidden", obj.getEditorMode("Normal"))
+        self.assertIn("Hidden", obj.getEditorMode("ConicConstant"))
+        obj.Section = "From the vertex"
+        self.assertIn("Hidden", obj.getEditorMode("HalfWidth"))
+        for name in ("EndRadius", "EndConicConstant", "EndDepth"):
+            self.assertNotIn("Hidden", obj.getEditorMode(name))
+
+
+class FromTheVertex(SectionTest):
+    """The line is upright and up is y: sections have x to the side, and z along."""
+
+    def trough(self, vertex, **properties):
+        return self.make(self.line_object(30), vertex=vertex, up=(0, 1, 0), **properties)
+
+    def half_width(self, radius, constant, height):
+        return math.sqrt(2 * radius * height - (1 + constant) * height**2)
+
+    def assert_section(self, obj, radius, constant, depth, z):
+        """The arc at z goes from the vertex up to the depth, and no arc further than its edge."""
+        for height in (0, 0.3 * depth, depth):
+            side = self.half_width(radius, constant, height)
+            for x in (side, -side):
+                self.assert_on(obj, (x, height, z))
+        points, _ = samples(obj)
+        self.assertLess(points[:, 1].max(), depth + 1e-5)
+
+    def test_each_type(self):
+        for name, constant in (
+            ("hyperbola", -2.5), ("parabola", -1), ("ellipse", 0.5), ("circle", 0), ("tall", -0.5)
+        ):
+            with self.subTest(name):
+                obj = self.trough((10, constant, 5))
+                self.assertEqual(obj.Status, "Valid")
+                self.assertTrue(obj.Exact)
+                self.assert_section(obj, 10, constant, 5, 12)
+                self.assert_certified(obj)
+
+    def test_the_area_of_a_parabolic_trough(self):
+        obj = self.trough((10, -1, 5))
+        # Both arms of x = p t, y = p t^2 / 2 with p = 10, up to t = 1
+        arm = 10 * (math.sqrt(2) + math.asinh(1)) / 2
+        self.assertAlmostEqual(obj.Area.Value, 30 * 2 * arm, delta=1e-8)
+
+    def test_the_type_changes_along_the_spine(self):
+        obj = self.trough(((10, -2.5, 5), (14, 0.5, 5)))
+        self.assertEqual(obj.Status, "Valid")
+        for share in (0, 0.5, 1):
+            self.assert_section(obj, 10 + 4 * share, -2.5 + 3 * share, 5, 30 * share)
+        self.assert_certified(obj)
+        self.assertEqual(len(obj.Shape.Faces), 1)
+
+    def test_a_table(self):
+        rows = [(0, 10, -2, 5), (12, "1.2 cm", -1, 5), (30, 14, 0.5, 5)]
+        obj = self.trough(("Table", rows), PositionBy="Arc length")
+        for z, radius, constant in ((0, 10, -2), (12, 12, -1), (30, 14, 0.5)):
+            self.assert_section(obj, radius, constant, 5, z)
+        self.assert_certified(obj)
+
+    def test_expressions_are_fitted_and_say_so(self):
+        texts = ("10 mm * exp(s / 10)", "-1 + 0.5 * sin(pi*s)", "5 mm")
+        obj = self.trough(("Expression", texts), FitTolerance=1e-4)
+        self.assertFalse(obj.Exact)
+        for words in ("the radius of curvature at the vertex", "the conic constant"):
+            self.assertIn(words, obj.Status)
+        self.assertGreater(obj.DeviationBound, 1e-7)
+        self.assertLess(obj.DeviationBound, 1e-3)
+        self.assert_certified(obj)
+        radius, constant = 10 * math.exp(1 / 40), -1 + 0.5 * math.sin(math.pi / 4)
+        for height in (1, 5):
+            side = self.half_width(radius, constant, height)
+            self.assert_on(obj, (side, height, 7.5), obj.DeviationBound)
+
+    def test_fits_move_points_by_no_more_than_is_said(self):
+        """Deep and narrow, where an error of the conic constant counts most."""
+        texts = ("5 mm", "-2 + 0.5 * sin(2*pi*s)", "20 mm")
+        obj = self.trough(("Expression", texts), FitTolerance=1e-3)
+        worst = 0
+        for k in range(1, 64):
+            constant = -2 + 0.5 * math.sin(2 * math.pi * k / 64)
+            side = self.half_width(5, constant, 20)
+            distance, *_ = obj.Shape.distToShape(Part.Vertex(side, 20, 30 * k / 64))
+            worst = max(worst, distance)
+        self.assertGreater(worst, 1e-4)
+        self.assertLess(worst, obj.DeviationBound)
+
+    def test_along_a_bend_and_around_a_circle(self):
+        obj = self.make(self.bent_duct(), vertex=((8, -1.25, 4), (8, -2, 3)), up=(0, 1, 0))
+        self.assertEqual(obj.Status, "Valid")
+        self.assert_certified(obj)
+        self.assertEqual(len(obj.Shape.Faces), 3)
+        self.assertEqual(len(obj.Shape.Shells), 1)
+        parabolas = self.make(self.bent_duct(), vertex=(8, -1, 4), up=(0, 1, 0))
+        self.assert_certified(parabolas)
+        self.assertEqual(len(parabolas.Shape.Shells), 1)
+        ring = self.make(self.shape_object(Part.makeCircle(20)), vertex=(3, -1, 2))
+        self.assert_certified(ring)
+        self.assert_on(ring, (20 + math.sqrt(12), 0, 2))
+        self.assertEqual(len(ring.Shape.Shells), 1)
+
+    def test_parallel_sections_of_a_spine_in_space(self):
+        obj = self.make(self.spline_object(), vertex=(6, -1.5, 4), normal=(1, 0, 0))
+        self.assertEqual(obj.Status, "Valid")
+        self.assert_certified(obj)
+
+    def test_upright_sections_of_a_spine_in_space_and_of_a_tilted_circle(self):
+        for source, up in (
+            (self.spline_object(), (0, 0, 1)),
+            (self.shape_object(Part.makeCircle(20, Vector(1, 2, 3), Vector(1, 2, 3))), (1, 2, 3)),
+        ):
+            obj = self.make(source, vertex=(6, -1.5, 4), up=up, Planes="Upright")
+            self.assertEqual(obj.Status, "Valid")
+            self.assertTrue(obj.Exact)
+            self.assert_certified(obj)
+            # The edge is the depth above the spine, and the half-width beside it as seen from above.
+            edge = source.Shape.Edges[0]
+            parameter = edge.FirstParameter + 0.3 * (edge.LastParameter - edge.FirstParameter)
+            upwards = Vector(*up).normalize()
+            side = edge.tangentAt(parameter).cross(upwards).normalize()
+            for sign in (1, -1):
+                place = edge.valueAt(parameter) + 4 * upwards
+                self.assert_on(obj, place + sign * self.half_width(6, -1.5, 4) * side, 1e-5)
+
+    def test_a_change_of_the_section_and_back(self):
+        obj = self.make(self.line_object(30), (4, 2), up=(0, 1, 0))
+        data = shape_data(obj.Shape)
+        obj.Section, obj.Radius, obj.ConicConstant, obj.Depth = "From the vertex", 10, -1.5, 5
+        self.document.recompute()
+        self.assert_valid(obj)
+        self.assert_section(obj, 10, -1.5, 5, 20)
+        obj.Section = "Ellipse"
+        self.document.recompute()
+        self.assertEqual(shape_data(obj.Shape), data)
+
+    def test_the_definition_sees_another_conic(self):
+        obj, other = self.trough((10, -1, 5)), self.trough((10, -1.001, 5))
+        points, normals = samples(other)
+        found = definition_of(obj).deviations(points, normals, 0)
+        # In the section the distance is the change of the square of x by that of its gradient.
+        self.assertAlmostEqual(found.max(), 0.001 * 25 / (2 * math.hypot(10, 10)), delta=1e-6)
 
 
 class Up(DocumentTest):
@@ -154,12 +305,14 @@ class Up(DocumentTest):
             self.assertEqual(suitable_up(edges), up)
 
 
-class Refusals(SectionTest):
+class RefusalTest(SectionTest):
     def setUp(self):
         super().setUp()
         self.spine = self.line_object(30)
-        self.obj = self.make(self.spine, ((4, 2), (2, 3)), up=(0, 1, 0))
-        self.good = shape_data(self.obj.Shape)
+
+    def keep(self, obj):
+        self.obj = obj
+        self.good = shape_data(obj.Shape)
 
     def assert_fails_and_recovers(self, sentence, repair):
         self.document.recompute()
@@ -169,6 +322,12 @@ class Refusals(SectionTest):
         self.document.recompute()
         self.assert_valid(self.obj)
         self.assertEqual(shape_data(self.obj.Shape), self.good)
+
+
+class Refusals(RefusalTest):
+    def setUp(self):
+        super().setUp()
+        self.keep(self.make(self.spine, ((4, 2), (2, 3)), up=(0, 1, 0)))
 
     def test_no_half_axis(self):
         self.obj.EndHalfWidth = 0
@@ -214,7 +373,7 @@ class Refusals(SectionTest):
         self.obj.SectionLaw = "Table"
         self.obj.Positions, self.obj.HalfWidths, self.obj.HalfHeights = [0, 1], [2, 3], [2]
         self.assert_fails_and_recovers(
-            "The half-axis upwards: The table has 2 positions and 1 radii.",
+            "The half-axis upwards: The table has 2 positions and 1 values.",
             lambda: setattr(self.obj, "SectionLaw", "Linear"),
         )
 
@@ -222,6 +381,66 @@ class Refusals(SectionTest):
         self.obj.Spine = None
         self.assert_fails_and_recovers(
             "The spine is missing.", lambda: setattr(self.obj, "Spine", (self.spine, []))
+        )
+
+
+class RefusalsFromTheVertex(RefusalTest):
+    def setUp(self):
+        super().setUp()
+        self.keep(self.make(self.spine, vertex=((10, -1, 5), (10, 0.5, 5)), up=(0, 1, 0)))
+
+    def test_a_depth_beyond_the_ellipse(self):
+        self.obj.EndDepth = 20
+        self.assert_fails_and_recovers(
+            "The height of the ellipse above the depth is negative at parameters",
+            lambda: setattr(self.obj, "EndDepth", 5),
+        )
+
+    def test_no_radius(self):
+        self.obj.Radius = 0
+        self.assert_fails_and_recovers(
+            "The radius of curvature at the vertex is zero at parameter 0, point (0, 0, 0).",
+            lambda: setattr(self.obj, "Radius", 10),
+        )
+
+    def test_no_depth(self):
+        self.obj.EndDepth = 0
+        self.assert_fails_and_recovers(
+            "The depth is zero at parameter 30, point (0, 0, 30).",
+            lambda: setattr(self.obj, "EndDepth", 5),
+        )
+
+    def test_planes_in_which_up_has_no_rational_length(self):
+        self.spine.Shape = spline().toShape()
+        self.document.recompute()
+        self.assert_error(self.obj, "Sections from the vertex are not rational")
+        for planes in ("Parallel", "Upright"):
+            self.obj.Planes = planes
+            self.document.recompute()
+            self.assert_valid(self.obj)
+
+    def test_a_solid(self):
+        self.obj.Output = "Solid"
+        self.assert_fails_and_recovers(
+            "Sections from the vertex are open and enclose no solid.",
+            lambda: setattr(self.obj, "Output", "Surface"),
+        )
+
+    def test_a_conic_constant_with_a_unit(self):
+        self.obj.SectionLaw, self.obj.PositionBy = "Expression", "Arc length"
+        self.obj.RadiusExpression = self.obj.DepthExpression = "5 mm"
+        self.obj.ConicConstantExpression = "0 * s"
+        self.assert_fails_and_recovers(
+            "The conic constant: The expression gives a length, not a plain number.",
+            lambda: setattr(self.obj, "SectionLaw", "Linear"),
+        )
+
+    def test_a_wrong_table(self):
+        self.obj.SectionLaw, self.obj.Positions = "Table", [0, 1]
+        self.obj.Radii, self.obj.ConicConstants, self.obj.Depths = [10, 10], [-1], [5, 5]
+        self.assert_fails_and_recovers(
+            "The conic constant: The table has 2 positions and 1 values.",
+            lambda: setattr(self.obj, "SectionLaw", "Linear"),
         )
 
 
@@ -237,3 +456,19 @@ class Storage(SectionTest):
         self.document.Duct.HalfWidth = 4
         self.document.recompute()
         self.assert_valid(self.document.Duct)
+
+    def test_a_document_without_sections_from_the_vertex_has_ellipses(self):
+        obj = self.make(self.line_object(30), (4, 2), up=(0, 1, 0), name="Duct")
+        data = shape_data(obj.Shape)
+        for name in ("Section", "ConicConstant", "Depths"):
+            obj.removeProperty(name)
+        file = str(self.folder / "duct.FCStd")
+        self.document.saveAs(file)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(file)
+        duct = self.document.Duct
+        self.assertEqual(duct.Section, "Ellipse")
+        for name in ("ConicConstant", "Depths"):
+            self.assertIn("Hidden", duct.getEditorMode(name))
+        self.document.recompute(None, True)
+        self.assertEqual(shape_data(duct.Shape), data)

@@ -127,7 +127,7 @@ class Tables(LawTest):
     def test_what_is_refused(self):
         line = self.line_object(100)
         for rows, measure, sentence in (
-            ([], "Parameter", "0 positions and 0 radii"),
+            ([], "Parameter", "0 positions and 0 values"),
             ([(0, 2), (0, 3)], "Parameter", "Two rows of the table have the position 0"),
             ([(0, 2), (1.5, 3)], "Parameter", "Position 1.5 .* runs from 0 to 1"),
             ([(0, 2), (120, 3)], "Arc length", "Position 120 .* runs from 0 to 100"),
@@ -145,7 +145,7 @@ class Tables(LawTest):
         self.assert_error(obj, "first and last radius must be equal")
         obj.Positions = [0.0]
         obj.recompute()
-        self.assert_error(obj, "1 positions and 2 radii")
+        self.assert_error(obj, "1 positions and 2 values")
 
 
 class Expressions(LawTest):

@@ -6,10 +6,14 @@ import tempfile
 import unittest
 
 import FreeCAD
+import numpy as np
 import Part
 from FreeCAD import Vector
 
 from pnsurfaces import kernel
+from pnsurfaces.face_grid import face_grid, patches
+from pnsurfaces.shape import own_shape
+from pnsurfaces.spline_grid import points_and_normals
 
 # A curved spine with five vertices, in millimetres, and radii that suit it.
 POLES = [(0, 0, 0), (10, 3, 1), (22, -4, 5), (30, 6, 9), (41, 12, 4), (50, 10, 0), (61, 15, 3)]
@@ -63,6 +67,17 @@ class DocumentTest(unittest.TestCase):
     def _close_documents(self):
         for name in FreeCAD.listDocuments():
             FreeCAD.closeDocument(name)
+
+
+def samples(obj, rows=12):
+    """Points and normals (n, 3) of all faces, from their edges on."""
+    grids = [face_grid(face) for face in own_shape(obj).Faces]
+    pairs = [
+        points_and_normals(grid.surface, *patch)
+        for grid in grids
+        for patch in patches(grid, rows, rows)
+    ]
+    return [np.concatenate(parts) for parts in zip(*pairs)]
 
 
 def spline():

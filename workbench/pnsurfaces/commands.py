@@ -212,13 +212,13 @@ class MirrorWavefrontCommand(CreationCommand):
 
 
 class MovingConicSectionCommand(CreationCommand):
-    """Makes the surface of ellipses along the selected spine and opens its task panel."""
+    """Makes the surface of conics along the selected spine and opens its task panel."""
 
     name = "PNSurfaces_MovingConicSection"
     menu_text = QT_TRANSLATE_NOOP("PNSurfaces_MovingConicSection", "Moving Conic Section…")
     tooltip = QT_TRANSLATE_NOOP(
         "PNSurfaces_MovingConicSection",
-        "Creates the exact surface of ellipses along a spine, whose half-axes change"
+        "Creates the exact surface of ellipses, parabolas or hyperbolas along a spine, which change"
     )
     page = "moving_conic_section_command.md"
     transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Moving conic section")
@@ -227,8 +227,15 @@ class MovingConicSectionCommand(CreationCommand):
         spine = _needed_spine(selection)
         radius = _start_radius(spine)
         half_axes, up = repr((2 * radius, radius)), repr(suitable_up(_edges(spine)))
-        lines = f"ParameterLines={preferences.parameter_lines()!r}"
-        return f"pnsurfaces.make_moving_conic_section({literal(spine)}, {half_axes}, up={up}, {lines})"
+        # As wide and high whatever is chosen in the panel: 2 R h is the square of half the width.
+        properties = {
+            **dict.fromkeys(("EndHalfWidth", "Radius", "EndRadius"), 2 * radius),
+            **dict.fromkeys(("EndHalfHeight", "Depth", "EndDepth"), radius),
+            "ParameterLines": preferences.parameter_lines(),
+        }
+        values = ", ".join(f"{name}={value!r}" for name, value in properties.items())
+        given = f"{literal(spine)}, {half_axes}, up={up}, {values}"
+        return f"pnsurfaces.make_moving_conic_section({given})"
 
 
 class ExportStepCommand(Command):

@@ -16,7 +16,8 @@ coordinates, so that a bound of 1e-14 mm on a surface of 100 mm is met, but not 
   spheres |x - m(u, v)| = r(u, v) + d: a point of it is on one sphere and outside all its
   neighbours, (x - m).m_u + (r + d) r_u = 0 and likewise for v.
 - A moving conic section has the points x in the plane of a section, (x - m).m' = 0 or with a fixed
-  normal for m', whose coordinates p to the side and q upwards have (p / a)^2 + (q / b)^2 = 1.
+  normal or m' less its part along up for m', whose coordinates p to the side and q upwards have
+  (p / a)^2 + (q / b)^2 = 1 or, from the vertex, p^2 = 2 R q - (1 + K) q^2.
 - The wavefront of a mirror of path length d is the envelope of the spheres |x - m(u, v)| = d - s(u, v)
   around its points, where s is the path of the light to m: Huygens' principle.
 
@@ -36,6 +37,7 @@ from pnsurfaces.moving_conic_section import MovingConicSection, planes_of, read_
 from pnsurfaces.quadric_form import standard_equation
 from pnsurfaces.quadric_offset import KINDS, OF_FACE, QuadricOffset, half_axes, read_face
 from pnsurfaces.ruled_offset import RuledOffset, read_curves
+from pnsurfaces.section_law import ELLIPSE, FROM_THE_VERTEX
 from pnsurfaces.spline_grid import Jet, jet_at, spline_surface, spread
 from pnsurfaces.squared_radius_canal import SquaredRadiusCanal, read_squared_spheres
 from pnsurfaces.triangulated_skins import TriangulatedSkins, read_family
@@ -167,34 +169,73 @@ class Rulings(NamedTuple):
 
 
 class Sections(NamedTuple):
-    """Ellipses along a spine: the PiecewiseRational functions of its points (3) and half-axes (1).
+    """Conics along a spine: the PiecewiseRational functions of its points (3) and their laws (1).
 
-    `up` (3,) and `normal` (3,), or None where the planes are perpendicular to the spine.
+    `conic` is Ellipse or VertexConic. `up` (3,) and `normal` (3,), or None where the planes are
+    perpendicular to the spine or, as `planes` says, upright.
     """
 
     spine: Any
-    half_axes: Any
+    laws: Any
+    conic: Any
     up: Any
-    normal: Any
+    normal: Any = None
+    planes: str = "perpendicular"
 
-    words = "ellipses along the spine: distance in the plane of the section, to first order"
+    @property
+    def words(self):
+        return f"{self.conic.words}: distance in the plane of the section, to first order"
 
     def deviations(self, points, normals, distance):
         return _along_family(self, points, distance)
 
     def breaks(self):
-        return np.unique(np.concatenate([self.spine.breaks, *(a.breaks for a in self.half_axes)]))
+        return np.unique(np.concatenate([self.spine.breaks, *(law.breaks for law in self.laws)]))
 
     def at(self, t, inside, points, distance):
         centre, speed = self.spine.with_derivative(t, inside)
         across = speed if self.normal is None else np.broadcast_to(self.normal, speed.shape)
         rays = points - centre
         side = np.cross(across, self.up)
-        a, b = (axis.with_derivative(t, inside)[0][..., 0] for axis in self.half_axes)
+        if self.planes == "upright":
+            across = np.cross(self.up, side)
+        conic = self.conic(*(law.with_derivative(t, inside)[0][..., 0] for law in self.laws))
         p, q = (_dot(rays, axis) / _length(axis) for axis in (side, np.cross(side, across)))
-        value = (p / a) ** 2 + (q / b) ** 2 - 1
-        slope = 2 * np.hypot(p / a**2, q / b**2)
-        return _dot(rays, across), value / slope
+        return _dot(rays, across), conic.deviation(p, q)
+
+
+class Ellipse(NamedTuple):
+    """Ellipses around the spine with half-axes (...) to the side and upwards."""
+
+    half_width: Any
+    half_height: Any
+
+    words = "ellipses along the spine"
+
+    def deviation(self, p, q):
+        a, b = self
+        return ((p / a) ** 2 + (q / b) ** 2 - 1) / (2 * np.hypot(p / a**2, q / b**2))
+
+
+class VertexConic(NamedTuple):
+    """Conics upwards from their vertex on the spine: radius of curvature, conic constant, depth.
+
+    Which way is up after a place where the spine runs along the direction upwards is not known
+    here: the nearer side counts. The depth is where edges are cut, which are not looked at here.
+    """
+
+    radius: Any
+    constant: Any
+    depth: Any
+
+    words = "conics with their vertex on the spine"
+
+    def deviation(self, p, q):
+        return np.minimum(self._of_upper(p, q), self._of_upper(p, -q))
+
+    def _of_upper(self, p, q):
+        value = p**2 - 2 * self.radius * q + (1 + self.constant) * q**2
+        return np.abs(value) / (2 * np.hypot(p, (1 + self.constant) * q - self.radius))
 
 
 class Quadric(NamedTuple):
@@ -586,9 +627,10 @@ def _squared_spheres(obj):
 
 
 def _sections(obj):
-    spine, half_axes = read_section(obj)
-    laws = [PiecewiseRational(law.spans_over(spine)) for law in half_axes]
-    return Sections(PiecewiseRational(spine.spans), laws, **{"normal": None, **planes_of(obj)})
+    spine, laws = read_section(obj)
+    laws = [PiecewiseRational(law.spans_over(spine)) for law in laws]
+    conic = _CONICS[obj.Section]
+    return Sections(PiecewiseRational(spine.spans), laws, conic, **planes_of(obj))
 
 
 def _rulings(obj):
@@ -610,6 +652,8 @@ def _nets(obj):
     # In the kernel's order: A, AB, B, CA, BC, C.
     return SphereNets(corners, [SphereNet(net[[0, 2, 5, 1, 4, 3]]) for net in spheres])
 
+
+_CONICS = {ELLIPSE: Ellipse, FROM_THE_VERTEX: VertexConic}
 
 _DEFINITIONS = {
     CanalSurface: lambda obj: _spheres(*read_spheres(obj)),

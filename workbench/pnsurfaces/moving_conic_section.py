@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The surface of a moving conic section in the tree: ellipses along a spine."""
+"""The surface of a moving conic section in the tree: ellipses or arcs of conics along a spine."""
 
 import FreeCAD
 import Part
 
 from pnsurfaces import kernel
-from pnsurfaces.canal_surface import chosen_spine, lengths
+from pnsurfaces.canal_surface import chosen_spine
 from pnsurfaces.edge_chain import CONFUSION
 from pnsurfaces.edge_fit import exact_where_possible
 from pnsurfaces.feature import (
@@ -19,8 +19,16 @@ from pnsurfaces.feature import (
 )
 from pnsurfaces.linked_shape import as_link
 from pnsurfaces.position import MEASURES
-from pnsurfaces.radius_law import CONSTANT, EXPRESSION, LINEAR, TABLE
-from pnsurfaces.section_law import HALF_AXES, INPUTS_OF_LAW, half_axis_law, inputs_of_law
+from pnsurfaces.section_law import (
+    ELLIPSE,
+    FROM_THE_VERTEX,
+    INPUTS_OF_LAW,
+    SECTIONS,
+    inputs_of_all_laws,
+    inputs_of_law,
+    section_laws,
+    values_of_law,
+)
 from pnsurfaces.spine import read_spine
 from pnsurfaces.spline_fit import FIT_TOLERANCE, deviation_of
 
@@ -31,23 +39,33 @@ _UPRIGHT = (FreeCAD.Vector(0, 0, 1), FreeCAD.Vector(0, 1, 0), FreeCAD.Vector(1, 
 
 PERPENDICULAR = "Perpendicular"
 PARALLEL = "Parallel"
+UPRIGHT = "Upright"
+
+# Where the sections lie, as keywords of pnkernel.moving_conic_section.
+_PLANES = {
+    PERPENDICULAR: lambda inputs: {},
+    PARALLEL: lambda inputs: {"normal": tuple(inputs.Normal)},
+    UPRIGHT: lambda inputs: {"planes": "upright"},
+}
 
 
 class SectionError(ValueError):
-    """The sections have no such planes. The text is a sentence for the user."""
+    """There are no such sections. The text is a sentence for the user."""
 
 
 class MovingConicSection(FeatureWithoutOffsets):
-    """Proxy of the surface of ellipses along a spine."""
+    """Proxy of the surface of ellipses around a spine, or of conics with their vertex on it."""
 
     inputs = (
         Property("App::PropertyLinkSub", "Spine", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Edges through the centres of the sections")),
+                 QT_TRANSLATE_NOOP("App::Property",
+                                   "Edges through the centres or vertices of the sections")),
         Property("App::PropertyEnumeration", "Planes", GROUP,
                  QT_TRANSLATE_NOOP("App::Property",
-                                   "Whether sections are perpendicular to the spine or parallel to"
-                                   " one another"),
-                 [PERPENDICULAR, PARALLEL]),
+                                   "Whether sections are perpendicular to the spine, parallel to"
+                                   " one another, or upright: through the direction upwards,"
+                                   " perpendicular to the spine as it is seen along that"),
+                 list(_PLANES)),
         Property("App::PropertyVector", "Normal", GROUP,
                  QT_TRANSLATE_NOOP("App::Property", "The direction that parallel sections are"
                                                     " perpendicular to"),
@@ -57,8 +75,14 @@ class MovingConicSection(FeatureWithoutOffsets):
                                    "The direction upwards: the height of a section runs along it, as"
                                    " far as its plane allows"),
                  FreeCAD.Vector(0, 0, 1)),
+        Property("App::PropertyEnumeration", "Section", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property",
+                                   "Ellipses around the spine, or conics that open upwards from"
+                                   " their vertex on the spine"),
+                 list(SECTIONS)),
         Property("App::PropertyEnumeration", "SectionLaw", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "How the half-axes run along the spine"),
+                 QT_TRANSLATE_NOOP("App::Property",
+                                   "How the measures of the sections run along the spine"),
                  list(INPUTS_OF_LAW)),
         Property("App::PropertyLength", "HalfWidth", GROUP,
                  QT_TRANSLATE_NOOP("App::Property",
@@ -74,16 +98,51 @@ class MovingConicSection(FeatureWithoutOffsets):
         Property("App::PropertyLength", "EndHalfHeight", GROUP,
                  QT_TRANSLATE_NOOP("App::Property", "Half-axis upwards at the end"),
                  1.0),
+        Property("App::PropertyLength", "Radius", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property",
+                                   "Radius of curvature at the vertex, everywhere or at the start"),
+                 1.0),
+        Property("App::PropertyFloat", "ConicConstant", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property",
+                                   "Conic constant, everywhere or at the start: below -1 a"
+                                   " hyperbola, -1 a parabola, above an ellipse, 0 a circle"),
+                 -1.0),
+        Property("App::PropertyLength", "Depth", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property",
+                                   "How high a section goes above its vertex, everywhere or at the"
+                                   " start"),
+                 1.0),
+        Property("App::PropertyLength", "EndRadius", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property",
+                                   "Radius of curvature at the vertex, at the end"),
+                 1.0),
+        Property("App::PropertyFloat", "EndConicConstant", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property", "Conic constant at the end"),
+                 -1.0),
+        Property("App::PropertyLength", "EndDepth", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property",
+                                   "How high a section goes above its vertex, at the end"),
+                 1.0),
         Property("App::PropertyEnumeration", "PositionBy", GROUP,
                  QT_TRANSLATE_NOOP("App::Property", "What positions on the spine count"),
                  MEASURES),
         Property("App::PropertyFloatList", "Positions", GROUP,
                  QT_TRANSLATE_NOOP("App::Property",
-                                   "Positions of the half-axes on the spine, arc lengths in mm")),
+                                   "Positions of the rows of the table on the spine, arc lengths in"
+                                   " mm")),
         Property("App::PropertyFloatList", "HalfWidths", GROUP,
                  QT_TRANSLATE_NOOP("App::Property", "Half-axes to the side at the positions, in mm")),
         Property("App::PropertyFloatList", "HalfHeights", GROUP,
                  QT_TRANSLATE_NOOP("App::Property", "Half-axes upwards at the positions, in mm")),
+        Property("App::PropertyFloatList", "Radii", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property",
+                                   "Radii of curvature at the vertex at the positions, in mm")),
+        Property("App::PropertyFloatList", "ConicConstants", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property", "Conic constants at the positions")),
+        Property("App::PropertyFloatList", "Depths", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property",
+                                   "How high sections go above their vertex at the positions, in"
+                                   " mm")),
         Property("App::PropertyString", "HalfWidthExpression", GROUP,
                  QT_TRANSLATE_NOOP("App::Property",
                                    "Half-axis to the side by the position s and the length L of the"
@@ -92,6 +151,18 @@ class MovingConicSection(FeatureWithoutOffsets):
                  QT_TRANSLATE_NOOP("App::Property",
                                    "Half-axis upwards by the position s and the length L of the"
                                    " spine, such as 10 mm * exp(s)")),
+        Property("App::PropertyString", "RadiusExpression", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property",
+                                   "Radius of curvature at the vertex by the position s and the"
+                                   " length L of the spine, such as 20 mm + 5 mm * s")),
+        Property("App::PropertyString", "ConicConstantExpression", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property",
+                                   "Conic constant by the position s, a plain number, such as"
+                                   " -1 + 0.5 * sin(pi*s)")),
+        Property("App::PropertyString", "DepthExpression", GROUP,
+                 QT_TRANSLATE_NOOP("App::Property",
+                                   "How high a section goes above its vertex by the position s and"
+                                   " the length L of the spine, such as 10 mm")),
         # The property editor would show it as 0.00.
         Property("App::PropertyLength", "FitTolerance", GROUP,
                  QT_TRANSLATE_NOOP("App::Property",
@@ -105,32 +176,44 @@ class MovingConicSection(FeatureWithoutOffsets):
 
     def base(self, inputs):
         spine = _spine(inputs)
-        laws = [half_axis_law(inputs, axis, spine) for axis in HALF_AXES]
-        fits_of_laws = [fit for law in laws for fit in law.fits]
+        section, laws = SECTIONS[inputs.Section], section_laws(inputs, spine)
         surface = kernel.pnkernel().moving_conic_section(
-            spine.curve, half_axes=[law.kernel_law() for law in laws], **planes_of(inputs)
+            spine.curve,
+            **{section.argument: [law.kernel_law() for law in laws]},
+            **planes_of(inputs),
         )
-        # A point moves by no more than its half-axes, of which one at most is off in full, and by as
-        # much as the spine where the planes do not turn with it.
-        largest = max(fits_of_laws, key=lambda fit: fit.deviation, default=None)
-        fits = (*spine.fits, *((largest,) if largest else ()))
+        # Where planes do not turn with a fitted spine, points move by as much as it does.
+        fits = (*spine.fits, *section.displacements(laws))
         return Base(
             surface,
-            notes=(*spine.notes, *(fit.note() for fit in (*spine.fits, *fits_of_laws))),
+            notes=(*spine.notes, *(fit.note() for fit in fits)),
             exact=not fits,
             deviation=sum(fit.deviation for fit in fits),
             results={"FitDeviation": deviation_of(fits)},
         )
 
+    def solid(self, inputs, sections):
+        if inputs.Section == FROM_THE_VERTEX:
+            raise SectionError(
+                "Sections from the vertex are open and enclose no solid. Choose a surface."
+            )
+        return super().solid(inputs, sections)
+
     def onChanged(self, obj, name):
         # While a document is read, other properties may not be there yet.
-        if obj.Document.Restoring:
-            return
-        if name == "Planes":
-            show_only(obj, {"Normal"} if obj.Planes == PARALLEL else set(), ["Normal"])
-        if name == "SectionLaw":
-            every = {input_ for law in INPUTS_OF_LAW for input_ in inputs_of_law(law)}
-            show_only(obj, inputs_of_law(obj.SectionLaw), every)
+        if name in ("Planes", "Section", "SectionLaw") and not obj.Document.Restoring:
+            _show_inputs(obj)
+
+    def _add_missing_properties(self, obj):
+        super()._add_missing_properties(obj)
+        _show_inputs(obj)
+
+
+def _show_inputs(obj):
+    """Hides the properties that belong to other choices."""
+    shown = inputs_of_law(obj.Section, obj.SectionLaw)
+    show_only(obj, ["Normal", *shown] if obj.Planes == PARALLEL else shown,
+              {"Normal", *inputs_of_all_laws()})
 
 
 def spine_of(obj, source, names):
@@ -141,24 +224,23 @@ def spine_of(obj, source, names):
 
 def planes_of(inputs):
     """Where the sections lie, as keywords of pnkernel.moving_conic_section."""
-    normal = {"normal": tuple(inputs.Normal)} if inputs.Planes == PARALLEL else {}
-    return {"up": tuple(inputs.Up), **normal}
+    return {"up": tuple(inputs.Up), **_PLANES[inputs.Planes](inputs)}
 
 
 def read_section(obj):
-    """Spine (pnkernel.Curve) and half-axes (pnkernel.Law) of a feature, after fits.
+    """Spine (pnkernel.Curve) and laws (pnkernel.Law) of the section of a feature, after fits.
 
     Raises ChainError, LinkError, SectionError or SectionLawError with a sentence for the user.
     """
     spine = _spine(obj)
-    return spine.curve, [half_axis_law(obj, axis, spine).kernel_law() for axis in HALF_AXES]
+    return spine.curve, [law.kernel_law() for law in section_laws(obj, spine)]
 
 
 def _spine(obj):
     spine = spine_of(obj, *chosen_spine(obj))
-    if spine.fits and obj.Planes == PERPENDICULAR:
+    if spine.fits and obj.Planes != PARALLEL:
         raise SectionError(
-            f"The spine has no exact form ({spine.fits[0].what}). How far planes perpendicular to"
+            f"The spine has no exact form ({spine.fits[0].what}). How far planes that turn with"
             " its fit would be off is not known: choose parallel sections, or another spine."
         )
     return spine
@@ -181,23 +263,26 @@ def _is_line_along(edge, direction):
     return edge.Curve.Direction.cross(direction).Length <= CONFUSION
 
 
-def make_moving_conic_section(spine, half_axes, *, up=(0, 0, 1), normal=None, document=None,
-                              name="MovingConicSection", **properties):
-    """The surface of ellipses along a spine, in the tree, computed. Lengths are millimetres or
-    strings with a unit.
+def make_moving_conic_section(spine, half_axes=None, *, vertex=None, up=(0, 0, 1), normal=None,
+                              document=None, name="MovingConicSection", **properties):
+    """The surface of a conic section along a spine, in the tree, computed. Lengths are millimetres
+    or strings with a unit.
 
     Parameters
     ----------
     spine : document object (all its edges), (object, "Edge1") or (object, ["Edge1", "Edge2"])
-    half_axes : one of
+    half_axes : of ellipses around the spine, one of
         (a, b) : to the side and upwards, constant
         ((a, b), (a, b)) : at the start and at the end, linear in the parameter of the spine
         ("Table", [(position, a, b), ...]) : the C2 splines through half-axes at positions
         ("Expression", (text, text)) : by the position s and the length L of the spine, such as
             "20 mm + 5 mm * s"; followed by splines within FitTolerance
+    vertex : instead of half_axes, the same of (R, K, h) of the conics x^2 = 2 R z - (1 + K) z^2, z
+        upwards from the spine, to z = h: radius of curvature, conic constant (a number), depth
     up : direction upwards. In the plane of a section the height runs along its projection, at the
         start of the spine, and goes on smoothly from there; the side is perpendicular to it.
-    normal : that of parallel sections; none for sections perpendicular to the spine
+    normal : that of parallel sections; none for sections perpendicular to the spine, or upright
+        ones, with Planes="Upright"
     document : the document of the spine unless given
     name : wanted internal name and label
     properties : values of further properties, such as Output="Solid" or PositionBy="Arc length"
@@ -208,34 +293,19 @@ def make_moving_conic_section(spine, half_axes, *, up=(0, 0, 1), normal=None, do
     Raises AttributeError, TypeError or ValueError for a property that does not exist or cannot have
     the value; nothing is then left in the document.
     """
+    if (half_axes is None) == (vertex is None):
+        raise ValueError("Either half_axes or vertex must be given.")
     link = as_link(spine)
     planes = {"Planes": PERPENDICULAR} if normal is None else {
         "Planes": PARALLEL, "Normal": FreeCAD.Vector(*normal)
     }
+    section, given = (ELLIPSE, half_axes) if vertex is None else (FROM_THE_VERTEX, vertex)
     values = {
-        "Spine": link, **planes, "Up": FreeCAD.Vector(*up), **_law_values(half_axes), **properties
+        "Spine": link,
+        **planes,
+        "Up": FreeCAD.Vector(*up),
+        "Section": section,
+        **values_of_law(section, given),
+        **properties,
     }
     return make_feature(MovingConicSection, document or link[0].Document, name, values)
-
-
-def _law_values(half_axes):
-    """The property values that the argument half_axes stands for."""
-    first, second = half_axes
-    if first == TABLE:
-        positions, widths, heights = zip(*second) if second else ((), (), ())
-        return {
-            "SectionLaw": TABLE, "Positions": lengths(positions), "HalfWidths": lengths(widths),
-            "HalfHeights": lengths(heights),
-        }
-    if first == EXPRESSION:
-        width, height = second
-        return {
-            "SectionLaw": EXPRESSION, "HalfWidthExpression": width, "HalfHeightExpression": height
-        }
-    if isinstance(first, (tuple, list)):
-        return {
-            "SectionLaw": LINEAR,
-            **dict(zip(("HalfWidth", "HalfHeight"), first)),
-            **dict(zip(("EndHalfWidth", "EndHalfHeight"), second)),
-        }
-    return {"SectionLaw": CONSTANT, "HalfWidth": first, "HalfHeight": second}

@@ -1,18 +1,39 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of a moving conic section: spine, planes and half-axes."""
+"""The task panel of a moving conic section: spine, planes, and the measures of the sections."""
 
 import FreeCAD
+import numpy as np
 
 from pnsurfaces.compat import QtWidgets, connect
 from pnsurfaces.moving_conic_section import PARALLEL, spine_of
 from pnsurfaces.panel import load_form
 from pnsurfaces.position import ARC_LENGTH
-from pnsurfaces.radius_law import EXPRESSION, LINEAR, TABLE
-from pnsurfaces.radius_table import RadiusTable, length_column, number_column
-from pnsurfaces.section_law import inputs_of_law
+from pnsurfaces.radius_law import EXPRESSION, TABLE
+from pnsurfaces.radius_table import (
+    RadiusTable,
+    length_column,
+    number_column,
+    short_length_column,
+)
+from pnsurfaces.section_law import (
+    SECTIONS,
+    inputs_of_all_laws,
+    inputs_of_law,
+    number_of_property,
+)
 from pnsurfaces.spine_panel import SpinePanel, show_if
 
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 translate = FreeCAD.Qt.translate
+
+# The columns of the table, by the names of quantities.
+_COLUMNS = {
+    "HalfWidth": (length_column, QT_TRANSLATE_NOOP("PNSurfaces", "To the side")),
+    "HalfHeight": (length_column, QT_TRANSLATE_NOOP("PNSurfaces", "Upwards")),
+    "Radius": (short_length_column, QT_TRANSLATE_NOOP("PNSurfaces", "Radius")),
+    "ConicConstant": (number_column, QT_TRANSLATE_NOOP("PNSurfaces", "K")),
+    "Depth": (short_length_column, QT_TRANSLATE_NOOP("PNSurfaces", "Depth")),
+}
 
 
 class MovingConicSectionPanel(SpinePanel):
@@ -23,11 +44,13 @@ class MovingConicSectionPanel(SpinePanel):
         form = self._inputs
         self.normal = _one_row(form.normal)
         self.up = _one_row(form.up)
-        for name in ("Normal", "Up", "HalfWidths", "HalfHeights"):
+        for name in ("Normal", "Up", *inputs_of_all_laws()):
             self.record(name)
+        _share_width(form.radii)
         self.normal.edited.connect(lambda: self._assign_row("Normal", self.normal))
         self.up.edited.connect(lambda: self._assign_row("Up", self.up))
         connect(form.Planes, "currentTextChanged(QString)", self._show_planes)
+        connect(form.Section, "currentTextChanged(QString)", self._show_law)
         connect(form.SectionLaw, "currentTextChanged(QString)", self._show_law)
         self._show_planes()
         self._show_law()
@@ -48,15 +71,9 @@ class MovingConicSectionPanel(SpinePanel):
     def _show_law(self):
         self._show_spine()
         form, law = self._inputs, self.feature.SectionLaw
-        inputs = inputs_of_law(law)
-        show_if("HalfWidth" in inputs,
-                form.side_label, form.HalfWidth, form.height_label, form.HalfHeight)
-        show_if(law == LINEAR,
-                form.end_side_label, form.EndHalfWidth, form.end_height_label, form.EndHalfHeight)
-        show_if("PositionBy" in inputs, form.position_label, form.PositionBy)
-        show_if(law == EXPRESSION,
-                form.side_expression_label, form.HalfWidthExpression,
-                form.height_expression_label, form.HalfHeightExpression)
+        inputs = inputs_of_law(self.feature.Section, law)
+        for name in filter(lambda name: hasattr(form, name), inputs_of_all_laws()):
+            show_if(name in inputs, getattr(form, f"{name}_label"), getattr(form, name))
         show_if(law == TABLE, form.radii, form.row_buttons)
         fitted = law == EXPRESSION or bool(self._spine and self._spine.fits)
         show_if(fitted, form.tolerance_label, form.FitTolerance)
@@ -64,28 +81,33 @@ class MovingConicSectionPanel(SpinePanel):
             self._fit_table()
             self._show_table()
 
+    def _quantities(self):
+        return SECTIONS[self.feature.Section].quantities
+
     def _fit_table(self):
-        """Begins a table with the half-axes of the other laws, at both ends."""
-        feature = self.feature
-        if not feature.HalfWidths:
-            self.assign("HalfWidths", [feature.HalfWidth.Value, feature.EndHalfWidth.Value])
-            self.assign("HalfHeights", [feature.HalfHeight.Value, feature.EndHalfHeight.Value])
+        """Begins a table with the values that a linear law has there, without one at both ends."""
+        feature, quantities = self.feature, self._quantities()
+        count = len(feature.Positions) or 2
+        for name, plural, *_ in quantities:
+            if not getattr(feature, plural):
+                ends = [number_of_property(feature, end).Value for end in (name, f"End{name}")]
+                self.assign(plural, np.linspace(*ends, count).tolist())
         if self._spine:
-            self._fit_positions(len(feature.HalfWidths))
+            self._fit_positions(len(getattr(feature, quantities[0].plural)))
 
     def _show_table(self):
-        feature = self.feature
+        feature, quantities = self.feature, self._quantities()
         position = length_column if feature.PositionBy == ARC_LENGTH else number_column
-        columns = [
-            position(translate("PNSurfaces", "Position")),
-            length_column(translate("PNSurfaces", "To the side")),
-            length_column(translate("PNSurfaces", "Upwards")),
-        ]
-        rows = zip(feature.Positions, feature.HalfWidths, feature.HalfHeights)
-        self.table.show(rows, columns)
+        columns = [position(translate("PNSurfaces", "Position"))]
+        for quantity in quantities:
+            column, title = _COLUMNS[quantity.name]
+            columns.append(column(translate("PNSurfaces", title)))
+        lists = (getattr(feature, quantity.plural) for quantity in quantities)
+        self.table.show(zip(feature.Positions, *lists), columns)
 
     def _assign_table(self):
-        for index, name in enumerate(("Positions", "HalfWidths", "HalfHeights")):
+        names = ("Positions", *(quantity.plural for quantity in self._quantities()))
+        for index, name in enumerate(names):
             self.assign(name, self.table.column(index))
 
 
@@ -93,5 +115,10 @@ def _one_row(view):
     """A table for one direction, in its view."""
     table = RadiusTable()
     view.setModel(table)
-    view.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
+    _share_width(view)
     return table
+
+
+def _share_width(view):
+    """All columns are seen, equally wide."""
+    view.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)

@@ -12,6 +12,7 @@ from pnsurfaces.position import ARC_LENGTH, measure
 from pnsurfaces.profile import Profile
 from pnsurfaces.radius_error import RadiusLawError
 from pnsurfaces.radius_expression import LENGTH, RadiusExpression
+from pnsurfaces.spline_grid import basis
 
 CONSTANT = "Constant"
 LINEAR = "Linear"
@@ -58,6 +59,11 @@ class RadiusLaw(NamedTuple):
         """The law of the radii that are left when `radius` is taken away."""
         return self._replace(coefficients=np.asarray(self.coefficients) - radius)
 
+    def values(self, parameters):
+        """The values (n,) at parameters (n,) of the spine."""
+        knots = np.repeat(np.asarray(self.knots, dtype=float), self.multiplicities)
+        return basis(knots, self.degree, parameters) @ np.asarray(self.coefficients, dtype=float)
+
     def kernel_law(self):
         """The same as a pnkernel.Law."""
         law = kernel.pnkernel().Law
@@ -100,8 +106,8 @@ def _table(obj, spine):
     positions, radii = np.asarray(obj.Positions), np.asarray(obj.Radii)
     if len(positions) != len(radii) or len(radii) == 0:
         raise RadiusLawError(
-            f"The table has {len(positions)} positions and {len(radii)} radii. Give each position"
-            " a radius, and at least one."
+            f"The table has {len(positions)} positions and {len(radii)} values. Give each position"
+            " a value, and at least one."
         )
     scale = measure(spine, obj.PositionBy)
     order = np.argsort(positions, kind="stable")
@@ -114,6 +120,11 @@ def _table(obj, spine):
     if spine.closed:
         return _through(spine, *_closed_up(spine, parameters, radii))
     return _through(spine, *_extended(spine, parameters, radii))
+
+
+def radius_expression(obj, spine):
+    """The RadiusExpression of feature `obj`. Raises RadiusLawError when the text is none."""
+    return _by_position(obj.RadiusExpression, obj.PositionBy, spine, LENGTH)
 
 
 def _expression(obj, spine):
@@ -146,10 +157,13 @@ def along_spine(text, position_by, spine, what, dimension=LENGTH):
 
     Raises RadiusLawError when the text is no such expression.
     """
-    scale = measure(spine, position_by)
+    expression = _by_position(text, position_by, spine, dimension)
+    return _AlongSpine(expression, measure(spine, position_by), what)
+
+
+def _by_position(text, position_by, spine, dimension):
     position_dimension = 1 if position_by == ARC_LENGTH else 0
-    expression = RadiusExpression(text, position_dimension, spine.length, dimension)
-    return _AlongSpine(expression, scale, what)
+    return RadiusExpression(text, position_dimension, spine.length, dimension)
 
 
 class _AlongSpine:

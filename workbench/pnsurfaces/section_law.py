@@ -1,64 +1,200 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The laws of a moving conic section, from the properties of a feature. Lengths are millimetres.
 
-Its half-axes run along the spine by laws of one kind, each as the radius of a canal surface does.
+The quantities of its conics run along the spine by laws of one kind, each as the radius of a canal
+surface does.
 """
 
+import itertools
 from types import SimpleNamespace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+import FreeCAD
+import numpy as np
+
+from pnsurfaces.canal_surface import lengths
 from pnsurfaces.radius_error import RadiusLawError
-from pnsurfaces.radius_law import CONSTANT, EXPRESSION, LINEAR, TABLE, radius_law
+from pnsurfaces.radius_law import (
+    CONSTANT,
+    EXPRESSION,
+    LINEAR,
+    TABLE,
+    radius_expression,
+    radius_law,
+)
+from pnsurfaces.spline_grid import spread
 
-# The properties of a feature that each law reads, "{}" standing for the name of a half-axis.
+ELLIPSE = "Ellipse"
+FROM_THE_VERTEX = "From the vertex"
+
+# The properties of a feature that each law reads of a Quantity.
 INPUTS_OF_LAW = {
-    CONSTANT: ("{}",),
-    LINEAR: ("{}", "End{}"),
-    TABLE: ("PositionBy", "Positions", "{}s"),
-    EXPRESSION: ("PositionBy", "{}Expression"),
+    CONSTANT: ("{0.name}",),
+    LINEAR: ("{0.name}", "End{0.name}"),
+    TABLE: ("PositionBy", "Positions", "{0.plural}"),
+    EXPRESSION: ("PositionBy", "{0.name}Expression"),
 }
 
+# So many places along the spine tell how far fits move the points.
+_PLACES = 257
 
-class HalfAxis(NamedTuple):
-    """The name of a half-axis in properties, and in sentences."""
+
+class Quantity(NamedTuple):
+    """What a conic has: its name in properties, one and many, its words in sentences, and the power
+    of length that it is."""
 
     name: str
+    plural: str
     words: str
+    dimension: int
 
 
-HALF_AXES = (
-    HalfAxis("HalfWidth", "The half-axis to the side"),
-    HalfAxis("HalfHeight", "The half-axis upwards"),
-)
+class Section(NamedTuple):
+    """A way to give conics: by the quantities of the keyword `argument` of the kernel.
+
+    `displacements` gives the Fits (spline_fit.Fit) of laws as what they move the points by, in mm.
+    """
+
+    argument: str
+    quantities: tuple
+    displacements: Any
 
 
 class SectionLawError(ValueError):
     """A law does not fit the spine. The text is a sentence for the user."""
 
 
-def inputs_of_law(law):
-    """The names of the properties that a choice of the law reads, without repetition."""
-    names = [pattern.format(axis.name) for axis in HALF_AXES for pattern in INPUTS_OF_LAW[law]]
+def inputs_of_law(section, law):
+    """The names of the properties that a choice of section and law reads, without repetition."""
+    names = [
+        pattern.format(quantity)
+        for quantity in SECTIONS[section].quantities
+        for pattern in INPUTS_OF_LAW[law]
+    ]
     return list(dict.fromkeys(names))
 
 
-def half_axis_law(obj, axis, spine):
-    """The radius_law.RadiusLaw of a HalfAxis of feature `obj` over the whole of `spine`.
+def inputs_of_all_laws():
+    """The names of the properties that some choice of section and law reads."""
+    choices = itertools.product(SECTIONS, INPUTS_OF_LAW)
+    return set(itertools.chain.from_iterable(inputs_of_law(*choice) for choice in choices))
+
+
+def section_laws(obj, spine):
+    """The radius_law.RadiusLaw of each quantity of feature `obj` over the whole of `spine`.
 
     Raises SectionLawError.
     """
-    name = axis.name
+    return [_law(obj, quantity, spine) for quantity in SECTIONS[obj.Section].quantities]
+
+
+def number_of_property(obj, name):
+    """The value of a property as a quantity, whether or not it has a unit."""
+    return FreeCAD.Units.Quantity(getattr(obj, name))
+
+
+def values_of_law(section, given):
+    """The property values that an argument half_axes or vertex of a script stands for.
+
+    Raises ValueError when it has not as many quantities as the section.
+    """
+    quantities = SECTIONS[section].quantities
+    first = given[0]
+    if first == TABLE:
+        _, rows = given
+        positions, *columns = zip(*rows) if rows else ((), *((),) * len(quantities))
+        columns = [lengths(column) for column in columns]
+        return {
+            "SectionLaw": TABLE,
+            "Positions": lengths(positions),
+            **_named("{0.plural}", quantities, columns),
+        }
+    if first == EXPRESSION:
+        _, texts = given
+        return {"SectionLaw": EXPRESSION, **_named("{0.name}Expression", quantities, texts)}
+    if isinstance(first, (tuple, list)):
+        _, last = given
+        return {
+            "SectionLaw": LINEAR,
+            **_named("{0.name}", quantities, first),
+            **_named("End{0.name}", quantities, last),
+        }
+    return {"SectionLaw": CONSTANT, **_named("{0.name}", quantities, given)}
+
+
+def _named(pattern, quantities, values):
+    if len(values) != len(quantities):
+        words = ", ".join(quantity.words for quantity in quantities)
+        raise ValueError(f"There are {len(values)} values for {words}.")
+    return {pattern.format(quantity): value for quantity, value in zip(quantities, values)}
+
+
+def _law(obj, quantity, spine):
     inputs = SimpleNamespace(
         RadiusLaw=obj.SectionLaw,
-        Radius=getattr(obj, name),
-        EndRadius=getattr(obj, f"End{name}"),
-        Radii=getattr(obj, f"{name}s"),
-        RadiusExpression=getattr(obj, f"{name}Expression"),
+        Radius=number_of_property(obj, quantity.name),
+        EndRadius=number_of_property(obj, f"End{quantity.name}"),
+        Radii=getattr(obj, quantity.plural),
+        RadiusExpression=getattr(obj, f"{quantity.name}Expression"),
         PositionBy=obj.PositionBy,
         Positions=obj.Positions,
         FitTolerance=obj.FitTolerance,
     )
     try:
-        return radius_law(inputs, spine)
+        _require_no_length(inputs, quantity, spine)
+        law = radius_law(inputs, spine)
     except RadiusLawError as error:
-        raise SectionLawError(f"{axis.words}: {error}") from error
+        raise SectionLawError(f"{quantity.words.capitalize()}: {error}") from error
+    return law._replace(fits=tuple(fit._replace(what=quantity.words) for fit in law.fits))
+
+
+def _require_no_length(inputs, quantity, spine):
+    """A length may be a number, of millimetres, but a plain number no length."""
+    if quantity.dimension or inputs.RadiusLaw != EXPRESSION:
+        return
+    if radius_expression(inputs, spine).dimension:
+        raise RadiusLawError(
+            "The expression gives a length, not a plain number. Divide it by one, such as s / L."
+        )
+
+
+def _fits_of_half_axes(laws):
+    """A point moves by no more than its half-axes together."""
+    return [fit for law in laws for fit in law.fits]
+
+
+def _fits_from_the_vertex(laws):
+    """In the direction that has the cosine c to the axis, a point is rho = 2 R c / (1 + K c^2) from
+    the vertex. To first order it moves by rho dR / R and rho z dK / (2 R), where z <= h and
+    rho^2 = 2 R z - K z^2. By dh the end of an arc is too high or low.
+    """
+    t = spread(np.concatenate([law.knots for law in laws]), _PLACES)
+    radius, constant, depth = (law.values(t) for law in laws)
+    far = np.sqrt(2 * radius * depth + np.maximum(-constant, 0) * depth**2)
+    effects = (far / radius, far * depth / (2 * radius), np.ones_like(t))
+    return [
+        fit._replace(deviation=fit.deviation * effect.max())
+        for law, effect in zip(laws, effects)
+        for fit in law.fits
+    ]
+
+
+SECTIONS = {
+    ELLIPSE: Section(
+        "half_axes",
+        (
+            Quantity("HalfWidth", "HalfWidths", "the half-axis to the side", 1),
+            Quantity("HalfHeight", "HalfHeights", "the half-axis upwards", 1),
+        ),
+        _fits_of_half_axes,
+    ),
+    FROM_THE_VERTEX: Section(
+        "vertex",
+        (
+            Quantity("Radius", "Radii", "the radius of curvature at the vertex", 1),
+            Quantity("ConicConstant", "ConicConstants", "the conic constant", 0),
+            Quantity("Depth", "Depths", "the depth", 1),
+        ),
+        _fits_from_the_vertex,
+    ),
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/bezier/conic_source.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -137,37 +138,33 @@ RationalMatrix tangent_planes_at(const ConicSpan& span, long end) {
   return values_at(tangent_planes_of(span.conic).matrix, t);
 }
 
-/// Centre and half-axes as near as the rounding of a designer's numbers leaves them. With D44 = 1
-/// the entries D_i4 are the centre, and D_ij squares of lengths.
-bool are_as_near_as_rounding(const RationalMatrix& end, const RationalMatrix& begin) {
-  if (end[3][3].is_zero() || begin[3][3].is_zero()) return false;
-  const auto power_of_length = [](std::size_t i, std::size_t j) { return (i < 3) + (j < 3); };
-  double size = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = i; j < 4; ++j) {
-      const double entry = (end[i][j] / end[3][3]).to_double();
-      size = std::max(size, std::pow(std::abs(entry), 1.0 / power_of_length(i, j)));
+/// Divided by the largest magnitude of an entry.
+Eigen::MatrixXd in_doubles(const RationalMatrix& rows) {
+  const auto magnitude = [](const Rational& x) { return x.sign() < 0 ? -x : x; };
+  Rational largest;
+  for (const auto& row : rows) {
+    for (const Rational& entry : row) largest = std::max(largest, magnitude(entry));
+  }
+  Eigen::MatrixXd result(rows.size(), rows.front().size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t j = 0; j < rows[i].size(); ++j) {
+      result(i, j) = (rows[i][j] / largest).to_double();
     }
   }
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = i; j < 4; ++j) {
-      const double difference = (end[i][j] / end[3][3] - begin[i][j] / begin[3][3]).to_double();
-      if (std::abs(difference) > kRounding * std::pow(size, power_of_length(i, j))) return false;
-    }
-  }
-  return true;
+  return result;
 }
 
-bool have_one_conic(const ConicSpan& span, const ConicSpan& next) {
-  const auto in_one_row = [](const RationalMatrix& matrix) {
-    std::vector<Rational> row;
-    for (const auto& part : matrix) row.insert(row.end(), part.begin(), part.end());
-    return row;
-  };
-  const RationalMatrix end = tangent_planes_at(span, 1), begin = tangent_planes_at(next, 0);
-  if (row_echelon_form(end).size() != 3) return false;
-  return row_echelon_form({in_one_row(end), in_one_row(begin)}).size() == 1 ||
-         are_as_near_as_rounding(end, begin);
+/// About as long as the coordinates of the points of a conic: of its tangent planes the entries
+/// D_ij are squares of lengths, D_i4 are lengths, and D44 is a number, 0 for a parabola.
+double size_of(const Eigen::Matrix4d& d) {
+  const double squares = d.topLeftCorner<3, 3>().cwiseAbs().maxCoeff();
+  const double lengths = d.topRightCorner<3, 1>().cwiseAbs().maxCoeff();
+  return squares / std::max(lengths, std::sqrt(squares * std::abs(d(3, 3))));
+}
+
+/// Whether they are the same up to a positive factor and the rounding of a designer's numbers.
+bool are_alike(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  return (a.normalized() - b.normalized()).norm() <= kRounding;
 }
 
 /// The pole of the cut at an end of a span, with the sign of its positive side.
@@ -185,16 +182,16 @@ std::vector<Rational> pole_at(const ConicSpan& span, int end) {
   return pole;
 }
 
-bool are_cut_alike(const ConicSpan& span, const ConicSpan& next) {
-  if (!span.cut) return true;
-  const auto a = pole_at(span, 1), b = pole_at(next, 0);
-  Rational product;
-  for (std::size_t c = 0; c < 4; ++c) product += a[c] * b[c];
-  return row_echelon_form({a, b}).size() == 1 && product.sign() > 0;
-}
-
+/// The tangent planes of a conic have no sign to choose: squares are what they are made of.
 bool ends_where_begins(const ConicSpan& span, const ConicSpan& next) {
-  return have_one_conic(span, next) && are_cut_alike(span, next);
+  const RationalMatrix end = tangent_planes_at(span, 1), begin = tangent_planes_at(next, 0);
+  if (row_echelon_form(end).size() != 3 || row_echelon_form(begin).size() != 3) return false;
+  const Eigen::Matrix4d a = in_doubles(end), b = in_doubles(begin);
+  const double inverse_size = 1 / size_of(a);
+  const Eigen::DiagonalMatrix<double, 4> unit(inverse_size, inverse_size, inverse_size, 1);
+  if (!are_alike(unit * a * unit, unit * b * unit)) return false;
+  return !span.cut ||
+         are_alike(in_doubles({pole_at(span, 1)}) * unit, in_doubles({pole_at(next, 0)}) * unit);
 }
 
 void check_joints(const std::vector<ConicSpan>& spans) {

@@ -109,18 +109,20 @@ void require_to_cross(const Direction& normal, const Span& span) {
 Span directed(Span span, const SectionPlanes& planes) {
   const Direction up = constant_direction(planes.up, "direction upwards");
   Direction normal;
-  if (planes.normal) {
-    normal = constant_direction(*planes.normal, "normal of the sections");
+  const auto* parallel = std::get_if<ParallelPlanes>(&planes.kind);
+  if (parallel) {
+    normal = constant_direction(parallel->normal, "normal of the sections");
     require_to_cross(normal, span);
   } else {
     normal = tangent(span);
   }
-  const std::string which = planes.normal ? "normal of the sections" : "spine";
+  const std::string which = parallel ? "normal of the sections" : "spine";
   const Direction sideways = cross(normal, up);
   if (is_zero(sideways)) {
     throw GeometryError(ErrorCode::kBadAxis, "The direction upwards is that of the " + which + " " +
                                                  at_all(span) + ". Choose another one.");
   }
+  if (std::holds_alternative<UprightPlanes>(planes.kind)) normal = cross(up, sideways);
   span.sideways = coprime(sideways);
   span.upwards = coprime(cross(span.sideways, normal));
   return span;
@@ -228,11 +230,12 @@ Polynomial length(const Direction& direction, const Span& span) {
   Polynomial root(1L);
   for (const SquarefreeFactor& part : squarefree_factorization(squared)) {
     if (part.multiplicity % 2 != 0) {
-      throw GeometryError(ErrorCode::kNotRational,
-                          "Sections from the vertex are not rational " + at_all(span) +
-                              ": the length of their direction upwards is not. Take parallel "
-                              "sections, or a plane spine and the normal of its plane as the "
-                              "direction upwards.");
+      throw GeometryError(
+          ErrorCode::kNotRational,
+          "Sections from the vertex are not rational " + at_all(span) +
+              ": the length of their direction upwards is not. Take parallel "
+              "sections, upright ones, or a plane spine and the normal of its plane as the "
+              "direction upwards.");
     }
     for (int i = 0; i < part.multiplicity; i += 2) root *= part.factor;
   }
@@ -247,8 +250,12 @@ ConicSpan from_the_vertex(const Span& span) {
   const RationalSpan<1>&radius = span.laws[0], &constant = span.laws[1], &depth = span.laws[2];
   require_positive(radius.numerator[0], span, "The radius of curvature at the vertex");
   require_positive(depth.numerator[0], span, "The depth");
-  const Polynomial zero, unit = length(span.upwards, span);
   const Polynomial one_and_constant = constant.denominator + constant.numerator[0];
+  // Of 2 R / (1 + K) - h, which is positive for parabolas and hyperbolas anyway.
+  require_positive(Polynomial(2L) * radius.numerator[0] * constant.denominator * depth.denominator -
+                       one_and_constant * depth.numerator[0] * radius.denominator,
+                   span, "The height of the ellipse above the depth");
+  const Polynomial zero, unit = length(span.upwards, span);
   const Polynomial linear =
       -radius.numerator[0] * constant.denominator * unit * span.spheres.denominator;
   return {
