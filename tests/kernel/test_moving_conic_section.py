@@ -52,6 +52,20 @@ def test_points_are_on_the_ellipses_of_their_sections(lines):
                 assert abs(value) / slope <= 2 * deviation
 
 
+def test_circles_have_the_degree_of_the_canal_surface():
+    """Although the directions of the half-axes are parallel at parameters that are not real."""
+    spine, radius = pn.Curve.bspline(*CUBIC.arguments), pn.Law.constant(6)
+    surface = pn.moving_conic_section(spine, up=(0.1, 0.2, 1), half_axes=(radius, radius))
+    assert surface.degree == pn.canal_surface(spine, radius).degree == (5, 2)
+    deviation = surface.certificate_of("even").deviation
+    for face in surface.bsplines():
+        for u in np.linspace(face.u_knots[0], face.u_knots[-1], 4):
+            for v in np.linspace(face.v_knots[0], face.v_knots[-1], 7):
+                x = surface_point(face, u, v)
+                m, *_ = CUBIC.derivatives(foot(x, CUBIC, u), 0)
+                assert abs(norm(x - m) - 6) <= deviation < 1e-13
+
+
 def test_sections_from_the_vertex_change_their_type():
     # From hyperbolas by a parabola to ellipses.
     radius, constant, depth = (10, 14), (-2.5, 0.5), 5

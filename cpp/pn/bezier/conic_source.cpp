@@ -88,8 +88,8 @@ Vector4OfPolynomials planes(const MovingConic& conic) {
   return join(a, b, c);
 }
 
-/// With a frame that spans a plane at every t in [0, 1], where a conic with another one can have
-/// it.
+/// With a frame that spans a plane at every t, also those that are not real: points of the conics
+/// that have poles in a flat frame may be of lower degree. With a cut, where it must, in [0, 1].
 ConicSpan with_regular_frame(const ConicSpan& span) {
   Polynomial common;
   for (const Polynomial& p : planes(span.conic)) common = gcd(common, p);
@@ -97,9 +97,10 @@ ConicSpan with_regular_frame(const ConicSpan& span) {
     throw GeometryError(ErrorCode::kSingularConics,
                         "The three points that span the plane are on one line for all t.");
   }
+  if (common.degree() < 1) return span;
+  if (!span.cut) return {conic_of_tangent_planes(tangent_planes_of(span.conic).matrix), {}};
   const std::vector<RealRoot> roots = roots_in_unit_interval(common);
   if (roots.empty()) return span;
-  if (!span.cut) return {conic_of_tangent_planes(tangent_planes_of(span.conic).matrix), {}};
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", roots.front().value.midpoint());
   throw GeometryError(ErrorCode::kSingularConics,
