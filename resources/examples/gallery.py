@@ -143,4 +143,15 @@ EXAMPLES = (
         ),
         ("Trough", "Lamp"), ("Lamp",), 50, 30,
     ),
+    Example(
+        "spray",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Spray"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces",
+            "What evaporating drops sweep on their flight: the squared radius is linear along a"
+            " parabola.",
+        ),
+        ("Drop1", "Drop2", "Drop3", "Drop4", "Drop5"),
+        ("Drop1", "Drop2", "Drop3", "Drop4", "Drop5"), -50, 30,
+    ),
 )

@@ -168,6 +168,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>How the squared radius runs along the spine</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Largest distance without a singular point</source>
             <translation type="unfinished" />
         </message>
@@ -205,6 +209,10 @@
         </message>
         <message>
             <source>Positions of the rows of the table on the spine, arc lengths in mm</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Positions of the squared radii on the spine, arc lengths in mm</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -277,6 +285,22 @@
         </message>
         <message>
             <source>Smooth faces with even parameter lines, or the lowest degree</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Squared radii at the positions, or Bezier coefficients, in mm^2</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Squared radius at the end</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Squared radius by the position s and the length L of the spine, such as 4 mm^2 + 5 mm^2 * sin(pi*s)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Squared radius, or that at the start</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -369,6 +393,10 @@
         </message>
         <message>
             <source>Whether the pipe is hollow, and how its wall is given</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Whether the radius itself is rational, so that offsets are exact</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -837,6 +865,10 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Canal surface from r²</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Certificate</source>
             <translation type="unfinished" />
         </message>
@@ -1149,6 +1181,14 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>Spray</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Squared radius</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Stopped. The surface is that of earlier values.</source>
             <translation type="unfinished" />
         </message>
@@ -1222,6 +1262,10 @@
         </message>
         <message>
             <source>Wall thickness</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>What evaporating drops sweep on their flight: the squared radius is linear along a parabola.</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -1502,6 +1546,17 @@
         </message>
     </context>
     <context>
+        <name>PNSurfaces_SquaredRadiusCanal</name>
+        <message>
+            <source>Canal Surface from r²…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Creates the exact envelope of spheres around a spine whose squared radius is given</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
         <name>PNSurfaces_Zebra</name>
         <message>
             <source>Shows the stripes that the selected surfaces reflect, on and off</source>
@@ -1670,6 +1725,89 @@
         </message>
         <message>
             <source>Use selection</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
+        <name>SquaredRadiusCanal</name>
+        <message>
+            <source>4 mm^2 + 5 mm^2 * sin(pi*s)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Add</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Adds a row below the current one</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Canal surface from r²</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>End</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Fit within</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Offsets are exact where the radius itself is rational.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Paste</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Position by</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Removes the current row</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Replaces the rows by those copied from a spreadsheet (Ctrl+V pastes at the current row)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Spine</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Squared radius</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Start</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Takes the selected edges, wire or sketch as the spine</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The curve through the centres of the spheres</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Use selection</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>mm</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>mm^2</source>
             <translation type="unfinished" />
         </message>
     </context>

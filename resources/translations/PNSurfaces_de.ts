@@ -168,6 +168,10 @@
             <translation>Wie der Radius entlang der Leitkurve verläuft</translation>
         </message>
         <message>
+            <source>How the squared radius runs along the spine</source>
+            <translation>Wie der quadrierte Radius entlang der Leitkurve verläuft</translation>
+        </message>
+        <message>
             <source>Largest distance without a singular point</source>
             <translation>Größter Abstand ohne singulären Punkt</translation>
         </message>
@@ -206,6 +210,10 @@
         <message>
             <source>Positions of the rows of the table on the spine, arc lengths in mm</source>
             <translation>Positionen der Tabellenzeilen auf der Leitkurve, Bogenlängen in mm</translation>
+        </message>
+        <message>
+            <source>Positions of the squared radii on the spine, arc lengths in mm</source>
+            <translation>Positionen der quadrierten Radien auf der Leitkurve, Bogenlängen in mm</translation>
         </message>
         <message>
             <source>Radii at the vertices or positions, or Bezier coefficients, in mm</source>
@@ -278,6 +286,22 @@
         <message>
             <source>Smooth faces with even parameter lines, or the lowest degree</source>
             <translation>Glatte Flächen mit gleichmäßigen Parameterlinien, oder der kleinste Grad</translation>
+        </message>
+        <message>
+            <source>Squared radii at the positions, or Bezier coefficients, in mm^2</source>
+            <translation>Quadrierte Radien an den Positionen, oder Bézier-Koeffizienten, in mm^2</translation>
+        </message>
+        <message>
+            <source>Squared radius at the end</source>
+            <translation>Quadrierter Radius am Ende</translation>
+        </message>
+        <message>
+            <source>Squared radius by the position s and the length L of the spine, such as 4 mm^2 + 5 mm^2 * sin(pi*s)</source>
+            <translation>Quadrierter Radius nach der Position s und der Länge L der Leitkurve, zum Beispiel 4 mm^2 + 5 mm^2 * sin(pi*s)</translation>
+        </message>
+        <message>
+            <source>Squared radius, or that at the start</source>
+            <translation>Quadrierter Radius, oder der am Anfang</translation>
         </message>
         <message>
             <source>The direction that parallel sections are perpendicular to</source>
@@ -370,6 +394,10 @@
         <message>
             <source>Whether the pipe is hollow, and how its wall is given</source>
             <translation>Ob das Rohr hohl ist, und wie seine Wand angegeben wird</translation>
+        </message>
+        <message>
+            <source>Whether the radius itself is rational, so that offsets are exact</source>
+            <translation>Ob der Radius selbst rational ist, sodass Versatzflächen exakt sind</translation>
         </message>
         <message>
             <source>Whether the second curve is run through from its end</source>
@@ -837,6 +865,10 @@
             <translation>Kanalfläche</translation>
         </message>
         <message>
+            <source>Canal surface from r²</source>
+            <translation>Kanalfläche aus r²</translation>
+        </message>
+        <message>
             <source>Certificate</source>
             <translation>Zertifikat</translation>
         </message>
@@ -1149,6 +1181,14 @@
             <translation>Kugelförmig</translation>
         </message>
         <message>
+            <source>Spray</source>
+            <translation>Sprühstrahl</translation>
+        </message>
+        <message>
+            <source>Squared radius</source>
+            <translation>Radius²</translation>
+        </message>
+        <message>
             <source>Stopped. The surface is that of earlier values.</source>
             <translation>Angehalten. Die Fläche gehört zu früheren Werten.</translation>
         </message>
@@ -1223,6 +1263,10 @@
         <message>
             <source>Wall thickness</source>
             <translation>Wanddicke</translation>
+        </message>
+        <message>
+            <source>What evaporating drops sweep on their flight: the squared radius is linear along a parabola.</source>
+            <translation>Was verdunstende Tropfen im Flug überstreichen: Der quadrierte Radius ist linear entlang einer Parabel.</translation>
         </message>
         <message>
             <source>Whole</source>
@@ -1502,6 +1546,17 @@
         </message>
     </context>
     <context>
+        <name>PNSurfaces_SquaredRadiusCanal</name>
+        <message>
+            <source>Canal Surface from r²…</source>
+            <translation>Kanalfläche aus r²…</translation>
+        </message>
+        <message>
+            <source>Creates the exact envelope of spheres around a spine whose squared radius is given</source>
+            <translation>Erzeugt die exakte Hüllfläche von Kugeln um eine Leitkurve, deren quadrierter Radius gegeben ist</translation>
+        </message>
+    </context>
+    <context>
         <name>PNSurfaces_Zebra</name>
         <message>
             <source>Shows the stripes that the selected surfaces reflect, on and off</source>
@@ -1671,6 +1726,89 @@
         <message>
             <source>Use selection</source>
             <translation>Auswahl übernehmen</translation>
+        </message>
+    </context>
+    <context>
+        <name>SquaredRadiusCanal</name>
+        <message>
+            <source>4 mm^2 + 5 mm^2 * sin(pi*s)</source>
+            <translation>4 mm^2 + 5 mm^2 * sin(pi*s)</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>Hinzufügen</translation>
+        </message>
+        <message>
+            <source>Adds a row below the current one</source>
+            <translation>Fügt unter der aktuellen Zeile eine Zeile ein</translation>
+        </message>
+        <message>
+            <source>Canal surface from r²</source>
+            <translation>Kanalfläche aus r²</translation>
+        </message>
+        <message>
+            <source>End</source>
+            <translation>Ende</translation>
+        </message>
+        <message>
+            <source>Fit within</source>
+            <translation>Angenähert auf</translation>
+        </message>
+        <message>
+            <source>Offsets are exact where the radius itself is rational.</source>
+            <translation>Versatzflächen sind exakt, wo der Radius selbst rational ist.</translation>
+        </message>
+        <message>
+            <source>Paste</source>
+            <translation>Einfügen</translation>
+        </message>
+        <message>
+            <source>Position by</source>
+            <translation>Position nach</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Entfernen</translation>
+        </message>
+        <message>
+            <source>Removes the current row</source>
+            <translation>Entfernt die aktuelle Zeile</translation>
+        </message>
+        <message>
+            <source>Replaces the rows by those copied from a spreadsheet (Ctrl+V pastes at the current row)</source>
+            <translation>Ersetzt die Zeilen durch die aus einer Tabellenkalkulation kopierten (Strg+V fügt bei der aktuellen Zeile ein)</translation>
+        </message>
+        <message>
+            <source>Spine</source>
+            <translation>Leitkurve</translation>
+        </message>
+        <message>
+            <source>Squared radius</source>
+            <translation>Radius²</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>Anfang</translation>
+        </message>
+        <message>
+            <source>Takes the selected edges, wire or sketch as the spine</source>
+            <translation>Nimmt die ausgewählten Kanten, den Kantenzug oder die Skizze als Leitkurve</translation>
+        </message>
+        <message>
+            <source>The curve through the centres of the spheres</source>
+            <translation>Die Kurve durch die Mittelpunkte der Kugeln</translation>
+        </message>
+        <message>
+            <source>Use selection</source>
+            <translation>Auswahl übernehmen</translation>
+        </message>
+        <message>
+            <source>mm</source>
+            <translation>mm</translation>
+        </message>
+        <message>
+            <source>mm^2</source>
+            <translation>mm^2</translation>
         </message>
     </context>
     <context>

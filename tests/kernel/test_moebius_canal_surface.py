@@ -51,6 +51,17 @@ def test_every_point_is_on_the_envelope_of_its_spheres(law):
         assert from_envelope(x, SPINE, law) < TIGHT
 
 
+@pytest.mark.parametrize("degree", [2, 3])
+def test_spheres_that_are_small_against_their_spine(degree):
+    """The conics turn far around then, and the double cones of their matrices are thin."""
+    rng = np.random.default_rng(degree)
+    spine = 1000 * (np.linspace([0, 0, 0], [1, 0, 0], degree + 1) + rng.random((degree + 1, 3)) / 4)
+    law = 1 + rng.random(degree + 1) / 4
+    surface = pn.moebius_canal_surface(pn.Curve.bezier(spine), pn.Law.bezier(law))
+    for x in samples(surface):
+        assert from_envelope(x, spine, law) < 1000 * TIGHT
+
+
 def test_with_a_rational_radius_it_is_the_canal_surface_with_its_offsets():
     spine = pn.Curve.bezier(SPINE)
     surface = pn.moebius_canal_surface(spine, pn.Law.bezier([4, 6, 9]))

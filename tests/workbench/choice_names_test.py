@@ -10,6 +10,7 @@ from pnsurfaces.mirror_wavefront import MirrorWavefront
 from pnsurfaces.moving_conic_section import MovingConicSection
 from pnsurfaces.quadric_offset import QuadricOffset
 from pnsurfaces.ruled_offset import RuledOffset
+from pnsurfaces.squared_radius_canal import SquaredRadiusCanal
 from pnsurfaces.triangulated_skins import TriangulatedSkins
 
 
@@ -24,6 +25,7 @@ class ChoiceNames(DocumentTest):
             TriangulatedSkins,
             MirrorWavefront,
             MovingConicSection,
+            SquaredRadiusCanal,
         ):
             obj = self.document.addObject("Part::FeaturePython", proxy.__name__)
             proxy(obj)

@@ -78,9 +78,16 @@ def moving_conic_section(document):
     return pnsurfaces.make_moving_conic_section(spine, ("Table", rows), Output="Solid")
 
 
+def squared_radius_canal(document):
+    spine = _bezier(document, "Spine", [(0, 0, 0), (20, 5, 0), (35, 20, 5)])
+    rows = [(0, 9), (0.5, 20), (1, 12)]
+    return pnsurfaces.make_squared_radius_canal(spine, ("Table", rows), Output="Solid")
+
+
 save(canal_surface, "canal_surface")
 save(ruled_offset, "ruled_offset")
 save(quadric_offset, "quadric_offset")
 save(mid_surface_skins, "mid_surface_skins")
 save(mirror_wavefront, "mirror_wavefront")
 save(moving_conic_section, "moving_conic_section")
+save(squared_radius_canal, "squared_radius_canal")

@@ -40,6 +40,10 @@ class StoredDocuments(DocumentTest):
             (self._mid_surface_skins, "mid_surface_skins"),
             (self._mirror_wavefront, "mirror_wavefront"),
             (self._moving_conic_section, "moving_conic_section"),
+            (
+                lambda: pnsurfaces.make_squared_radius_canal(self.line_object(), 2),
+                "squared_radius_canal",
+            ),
         ):
             self.assertIn(f"{name}_schema_{make().SchemaVersion}", stems)
 

@@ -18,6 +18,7 @@ _HOMES = {
     "make_moving_conic_section": "moving_conic_section",
     "make_quadric_offset": "quadric_offset",
     "make_ruled_offset": "ruled_offset",
+    "make_squared_radius_canal": "squared_radius_canal",
     "make_triangulated_skins": "triangulated_skins",
     "open_example": "examples",
     "write_certificate": "certificate_report",

@@ -168,15 +168,24 @@ class CanalSurface(FeatureBase):
 
 
 def _spine(obj):
+    return spine_of(obj, *chosen_spine(obj))
+
+
+def chosen_spine(obj):
+    """What the property Spine leads to. Raises ChainError."""
     if obj.Spine is None:
         raise ChainError("The spine is missing. Choose an edge, a wire or a sketch.")
-    source, names = obj.Spine
-    return spine_of(obj, source, names)
+    return obj.Spine
 
 
 def spine_of(obj, source, names):
     """The spine that the sub-elements `names` of `source` would be to the feature `obj`."""
-    curve_of = polynomial_where_possible if obj.RadiusLaw in FITTED_LAWS else exact_where_possible
+    return spine_under(obj.RadiusLaw, obj, source, names)
+
+
+def spine_under(law, obj, source, names):
+    """The same for a feature whose radius runs by `law`."""
+    curve_of = polynomial_where_possible if law in FITTED_LAWS else exact_where_possible
     container = obj.getParentGeoFeatureGroup()
     return read_spine(source, names, container, curve_of(obj.FitTolerance.Value))
 

@@ -107,7 +107,7 @@ def _of_object(obj, compare):
         "exact": sections.base.exact and all(c.exact for c in sections.certificates),
         "fitted": list(sections.base.notes),
         "fit_deviation": sections.base.deviation,
-        "regular_range": [_finite(low), _finite(high)] if obj.Proxy.offset_inputs else None,
+        "regular_range": [_finite(low), _finite(high)] if sections.base.surface.has_offsets else None,
         "sections": _of_sections(obj, sections, compare),
         "shape": _of_shape(shape),
     }
@@ -132,7 +132,7 @@ def _of_sections(obj, sections, compare):
         low, high = surface.regular_range
         report = {
             "distance": distance,
-            "regular": low < distance < high if obj.Proxy.offset_inputs else None,
+            "regular": low < distance < high if surface.has_offsets else None,
             "faces": len(faces),
             "bidegree": list(proved.bidegree),
             "poles": int(proved.poles),

@@ -9,6 +9,7 @@ _TITLES = {
     "MovingConicSection": "surface of a moving conic section",
     "RuledOffset": "offset of a ruled surface",
     "QuadricOffset": "offset of a quadric",
+    "SquaredRadiusCanal": "canal surface from r²",
     "TriangulatedSkins": "skins over a triangulation",
 }
 

@@ -107,6 +107,24 @@ class CanalSurfaceCommand(CreationCommand):
         return _call("make_canal_surface", literal(spine), repr(_start_radius(spine)))
 
 
+class SquaredRadiusCanalCommand(CreationCommand):
+    """Makes a canal surface from r^2 around the selected spine and opens its task panel."""
+
+    name = "PNSurfaces_SquaredRadiusCanal"
+    menu_text = QT_TRANSLATE_NOOP("PNSurfaces_SquaredRadiusCanal", "Canal Surface from r²…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "PNSurfaces_SquaredRadiusCanal",
+        "Creates the exact envelope of spheres around a spine whose squared radius is given"
+    )
+    page = "squared_radius_canal_command.md"
+    transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Canal surface from r²")
+
+    def creation(self, selection):
+        spine = _needed_spine(selection)
+        square = float(f"{_start_radius(spine) ** 2:.0e}")
+        return _call("make_squared_radius_canal", literal(spine), repr(square))
+
+
 class RuledOffsetCommand(CreationCommand):
     """Makes the offset of a ruled surface of the selection and opens its task panel."""
 
@@ -328,6 +346,7 @@ def register():
     return _registered(
         [
             CanalSurfaceCommand(),
+            SquaredRadiusCanalCommand(),
             RuledOffsetCommand(),
             QuadricOffsetCommand(),
             MidSurfaceSkinsCommand(),

@@ -7,6 +7,8 @@ coordinates, so that a bound of 1e-14 mm on a surface of 100 mm is met, but not 
 
 - A canal surface at distance d is the envelope of the spheres |x - m(t)| = r(t) + d. A point of it
   lies in the plane of a characteristic circle, (x - m).m' + (r + d) r' = 0.
+- A canal surface from r^2, at distance zero, is the same envelope by s = r^2 alone: |x - m|^2 = s in
+  the plane (x - m).m' + s' / 2 = 0. At other distances r = sqrt(s), r r' = s' / 2.
 - A ruled surface at distance d is the envelope of the cylinders of radius d about its rulings: the
   foot c of a point on its ruling has (x - c).c_t = 0.
 - A quadric at distance d has the points x with a foot p on it, q(p) = 0, x - p along grad q(p).
@@ -14,8 +16,8 @@ coordinates, so that a bound of 1e-14 mm on a surface of 100 mm is met, but not 
   spheres |x - m(u, v)| = r(u, v) + d: a point of it is on one sphere and outside all its
   neighbours, (x - m).m_u + (r + d) r_u = 0 and likewise for v.
 - A moving conic section has the points x in the plane of a section, (x - m).m' = 0 or with a fixed
-  normal or m' less its part along up for m', whose coordinates p to the side and q upwards have (p / a)^2 + (q / b)^2 = 1 or,
-  from the vertex, p^2 = 2 R q - (1 + K) q^2.
+  normal, or m' less its part along up, for m'. Their coordinates p to the side and q upwards have
+  (p / a)^2 + (q / b)^2 = 1 or, from the vertex, p^2 = 2 R q - (1 + K) q^2.
 - The wavefront of a mirror of path length d is the envelope of the spheres |x - m(u, v)| = d - s(u, v)
   around its points, where s is the path of the light to m: Huygens' principle.
 
@@ -37,6 +39,7 @@ from pnsurfaces.quadric_offset import KINDS, OF_FACE, QuadricOffset, half_axes, 
 from pnsurfaces.ruled_offset import RuledOffset, read_curves
 from pnsurfaces.section_law import ELLIPSE, FROM_THE_VERTEX
 from pnsurfaces.spline_grid import Jet, jet_at, spline_surface, spread
+from pnsurfaces.squared_radius_canal import SquaredRadiusCanal, read_squared_spheres
 from pnsurfaces.triangulated_skins import TriangulatedSkins, read_family
 
 # Parameters between which a root is looked for, on each span: more than the characteristic
@@ -72,8 +75,8 @@ _NEAREST_NETS = 3
 
 
 def definition_of(obj):
-    """The definition of a feature: Spheres, Rulings, Sections, Quadric, SphereNet, SphereNets,
-    BallNet or Huygens; None for another object."""
+    """The definition of a feature: Spheres, SquaredSpheres, Rulings, Sections, Quadric, SphereNet,
+    SphereNets, BallNet or Huygens; None for another object."""
     proxy = type(getattr(obj, "Proxy", None))
     return _DEFINITIONS[proxy](obj) if proxy in _DEFINITIONS else None
 
@@ -115,6 +118,30 @@ class Spheres(NamedTuple):
         rays = points - centre
         slope = _dot(rays, speed) + radius * growth
         return slope, np.copysign(_length(rays), radius) - radius
+
+
+class SquaredSpheres(NamedTuple):
+    """A canal surface: the PiecewiseRational functions of its centres (3) and squared radius (1)."""
+
+    centre: Any
+    squared_radius: Any
+
+    words = "envelope of the spheres along the spine: distance from the centre minus the root of r^2"
+
+    def deviations(self, points, normals, distance):
+        return _along_family(self, points, distance)
+
+    def breaks(self):
+        return np.union1d(self.centre.breaks, self.squared_radius.breaks)
+
+    def at(self, t, inside, points, distance):
+        centre, speed = self.centre.with_derivative(t, inside)
+        square, growth = (part[..., 0] for part in self.squared_radius.with_derivative(t, inside))
+        # Beyond the end of a span the square may be negative; there is no point of the surface.
+        root = np.sqrt(np.maximum(square, np.finfo(float).tiny))
+        rays = points - centre
+        slope = _dot(rays, speed) + (1 + distance / root) * growth / 2
+        return slope, np.copysign(_length(rays), root + distance) - (root + distance)
 
 
 class Rulings(NamedTuple):
@@ -594,6 +621,11 @@ def _spheres(spine, radius):
     return Spheres(PiecewiseRational(spine.spans), PiecewiseRational(radius.spans_over(spine)))
 
 
+def _squared_spheres(obj):
+    spine, square = read_squared_spheres(obj)
+    return SquaredSpheres(PiecewiseRational(spine.spans), PiecewiseRational(square.spans_over(spine)))
+
+
 def _sections(obj):
     spine, laws = read_section(obj)
     laws = [PiecewiseRational(law.spans_over(spine)) for law in laws]
@@ -625,6 +657,7 @@ _CONICS = {ELLIPSE: Ellipse, FROM_THE_VERTEX: VertexConic}
 
 _DEFINITIONS = {
     CanalSurface: lambda obj: _spheres(*read_spheres(obj)),
+    SquaredRadiusCanal: _squared_spheres,
     RuledOffset: _rulings,
     QuadricOffset: _quadric,
     MovingConicSection: _sections,

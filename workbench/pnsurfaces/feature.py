@@ -193,6 +193,10 @@ class FeatureBase:
         """The distances of those sections that are drawn while they change, the smallest first."""
         return distances_of(inputs)
 
+    def has_offsets(self, obj):
+        """Whether the computed surface has other distances than zero."""
+        return True
+
     def inputs_of(self, obj):
         """The FeatureInputs of now. All the rest of a computation needs no document."""
         return read_inputs(obj, [entry.name for entry in self._all_inputs()])
@@ -220,6 +224,8 @@ class FeatureBase:
 
     def warnings(self, sections):
         """A sentence for each of the Sections that has singular points or crosses itself."""
+        if not sections.base.surface.has_offsets:
+            return _crossings(sections.surfaces)
         low, high = sections.base.surface.regular_range
         distances = [surface.distance for surface in sections.surfaces]
         regular = [surface for surface in sections.surfaces if low < surface.distance < high]
@@ -353,9 +359,6 @@ class FeatureWithoutOffsets(FeatureBase):
 
     def limits(self, surface):
         return {}
-
-    def warnings(self, sections):
-        return _crossings(sections.surfaces)
 
 
 def _offer_all_choices(obj, entry):

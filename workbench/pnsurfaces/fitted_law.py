@@ -46,14 +46,14 @@ def fitted_law(function, spine, tolerance):
 
     Raises FitError when the function is not smooth on a stretch.
     """
-    radii = _sampled(function, spine)
+    radii = sampled(function, spine)
     polynomials = (_polynomial(radii, spine, degree) for degree in _DEGREES)
     close = (law for law in polynomials if law.deviation <= tolerance)
     *law, deviation = _closed_up(next(close, None) or _spline(function, spine, tolerance), spine)
     return *law, (Fit(function.what, deviation, proven=False),)
 
 
-def _sampled(function, spine):
+def sampled(function, spine):
     """Pairs (parameter, radius), those at which a deviation is measured."""
     return np.array([
         (t, function.radius(stretch, t))
@@ -62,10 +62,10 @@ def _sampled(function, spine):
     ])
 
 
-def _polynomial(sampled, spine, degree):
+def _polynomial(places, spine, degree):
     """The polynomial over the whole spine that is nearest to sampled radii by least squares."""
     first, last = spine.curve.domain
-    parameters, radii = sampled.T
+    parameters, radii = places.T
     basis = bernstein(degree, (parameters - first) / (last - first))
     coefficients = np.linalg.lstsq(basis, radii, rcond=None)[0]
     deviation = np.abs(basis @ coefficients - radii).max()

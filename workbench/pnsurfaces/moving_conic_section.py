@@ -5,7 +5,8 @@ import FreeCAD
 import Part
 
 from pnsurfaces import kernel
-from pnsurfaces.edge_chain import CONFUSION, ChainError
+from pnsurfaces.canal_surface import chosen_spine
+from pnsurfaces.edge_chain import CONFUSION
 from pnsurfaces.edge_fit import exact_where_possible
 from pnsurfaces.feature import (
     QT_TRANSLATE_NOOP,
@@ -236,9 +237,7 @@ def read_section(obj):
 
 
 def _spine(obj):
-    if obj.Spine is None:
-        raise ChainError("The spine is missing. Choose an edge, a wire or a sketch.")
-    spine = spine_of(obj, *obj.Spine)
+    spine = spine_of(obj, *chosen_spine(obj))
     if spine.fits and obj.Planes != PARALLEL:
         raise SectionError(
             f"The spine has no exact form ({spine.fits[0].what}). How far planes that turn with"

@@ -41,14 +41,17 @@ class OffsetRows:
             widget.setVisible(has_second)
 
     def show_range(self):
-        """Shows the regular distances."""
+        """Shows the regular distances, if the surface has offsets."""
         self._result.regular_range.setText(_range(*self._limits()))
+        has_offsets = self._has_offsets()
+        for widget in (self._result.regular_range_label, self._result.regular_range, self.bar):
+            widget.setVisible(has_offsets)
 
     def show_distance(self):
-        """Shows where the distance is, and the arrow unless an expression gives it."""
+        """Shows where the distance is, and the arrow that drags it unless an expression gives it."""
         self.bar.show_distances(self._feature.Proxy.distances(self._feature), *self._limits())
         self._handle.follow(self._feature.Distance.Value)
-        if "Distance" in dict(self._feature.ExpressionEngine):
+        if "Distance" in dict(self._feature.ExpressionEngine) or not self._has_offsets():
             self._handle.hide()
         else:
             self._handle.show()
@@ -61,6 +64,9 @@ class OffsetRows:
     def close(self):
         self._handle.close()
         self._marks.hide()
+
+    def _has_offsets(self):
+        return self._feature.Proxy.has_offsets(self._feature)
 
     def _limits(self):
         return self._feature.MinOffset.Value, self._feature.MaxOffset.Value

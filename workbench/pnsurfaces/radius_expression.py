@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Radii from an expression in the position, such as "2 mm + 0.5 mm * sin(2*pi*s)".
+"""Radii from an expression in the position, such as "2 mm + 0.5 mm * sin(2*pi*s)", or their squares.
 
 s is the position on the spine and L the length of the spine. Only numbers with units, these names,
-+ - * / ^ and the functions below are understood; nothing else is evaluated. Lengths and plain
-numbers are told apart; a plain result is millimetres.
++ - * / ^ and the functions below are understood; nothing else is evaluated. Lengths, areas and
+plain numbers are told apart; a plain result is millimetres or square millimetres.
 """
 
 import ast
@@ -59,25 +59,37 @@ _FUNCTIONS = {
 
 _CONSTANTS = {"pi": math.pi, "e": math.e}
 
+# The dimensions, as powers of length, of a plain number, of a radius, and of its square.
+NUMBER = 0
+LENGTH = 1
+AREA = 2
+
+# What they are called, and an expression of each.
+_WORDS = {
+    NUMBER: ("a plain number", "-1 + 0.5 * s"),
+    LENGTH: ("a length", "2 mm + 1 mm * s"),
+    AREA: ("an area", "4 mm^2 + 5 mm^2 * s"),
+}
+
 
 class RadiusExpression:
-    """The radius in millimetres as a function of the position s.
+    """The radius in millimetres, or its square, as a function of the position s.
 
     `position_dimension` is 1 where s is a length in millimetres, 0 where it is a share; `length` is
-    that of the spine. `dimension` is 1 where the result is a length, 0 where it is a plain number.
-    Raises RadiusLawError when the text is no such expression.
+    that of the spine; `dimension` is LENGTH for a radius, AREA for its square, and NUMBER for
+    what has no unit. Raises RadiusLawError when the text is no such expression.
     """
 
-    def __init__(self, text, position_dimension, length):
-        self._tree = _parsed(text)
+    def __init__(self, text, position_dimension, length, dimension=LENGTH):
+        words, example = _WORDS[dimension]
+        self._tree = _parsed(text, example)
         self._position_dimension = position_dimension
         self._names = {name: (np.float64(value), 0) for name, value in _CONSTANTS.items()}
         self._names["L"] = (np.float64(length), 1)
-        _, self.dimension = self._value_of(np.complex128(1.0))
-        if self.dimension not in (0, 1):
+        _, found = self._value_of(np.complex128(1.0))
+        if found not in (0, dimension):
             raise RadiusLawError(
-                f"The radius expression gives millimetres to the power {self.dimension:g}, not a"
-                " length."
+                f"The expression gives millimetres to the power {found:g}, not {words}."
             )
 
     def radius(self, s):
@@ -85,7 +97,7 @@ class RadiusExpression:
         value = self._evaluated(np.float64(s))
         if not np.isfinite(value):
             raise RadiusLawError(
-                f"The radius expression has no finite value at position {s:.6g}: it divides by"
+                f"The expression has no finite value at position {s:.6g}: it divides by"
                 " zero, or takes the root or logarithm of a number that has none."
             )
         return float(value)
@@ -104,18 +116,18 @@ class RadiusExpression:
         return _evaluate(self._tree, names)
 
 
-def _parsed(text):
+def _parsed(text, example):
     if not text.strip():
-        raise RadiusLawError("The radius expression is empty. Type one, such as 2 mm + 1 mm * s.")
+        raise RadiusLawError(f"The expression is empty. Type one, such as {example}.")
     if len(text) > _MOST_CHARACTERS:
         raise RadiusLawError(
-            f"The radius expression has {len(text)} characters, more than {_MOST_CHARACTERS}."
+            f"The expression has {len(text)} characters, more than {_MOST_CHARACTERS}."
         )
     source = _QUANTITY.sub(_with_unit, text.strip()).replace("^", "**")
     try:
         return ast.parse(source, mode="eval").body
     except (SyntaxError, ValueError, MemoryError, RecursionError) as error:
-        raise RadiusLawError(f"The radius expression {text!r} cannot be read.") from error
+        raise RadiusLawError(f"The expression {text!r} cannot be read.") from error
 
 
 def _with_unit(match):
@@ -138,7 +150,7 @@ def _unit(name):
         return np.float64(quantity.Value), 1
     if quantity.Unit == FreeCAD.Units.Angle:
         return np.float64(math.radians(quantity.Value)), 0
-    raise RadiusLawError(f"The radius expression has the unit {name}, which is no length or angle.")
+    raise RadiusLawError(f"The expression has the unit {name}, which is no length or angle.")
 
 
 def _evaluate(node, names):
@@ -154,7 +166,7 @@ def _evaluate(node, names):
         return _combined(node.op, _evaluate(node.left, names), _evaluate(node.right, names))
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and not node.keywords:
         return _called(node.func.id, [_evaluate(argument, names) for argument in node.args])
-    raise RadiusLawError("The radius expression may have only numbers, names, + - * / ^ and ( ).")
+    raise RadiusLawError("The expression may have only numbers, names, + - * / ^ and ( ).")
 
 
 def _named(name, names):
@@ -162,7 +174,7 @@ def _named(name, names):
         return _unit(name.removeprefix(_UNIT_PREFIX))
     if name not in names:
         raise RadiusLawError(
-            f"The radius expression has the unknown name {name}. It may have s, L, pi, e, units and"
+            f"The expression has the unknown name {name}. It may have s, L, pi, e, units and"
             f" {', '.join(['sqrt', *_FUNCTIONS])}."
         )
     return names[name]
@@ -172,12 +184,12 @@ def _combined(operation, left, right):
     (a, a_dimension), (b, b_dimension) = left, right
     if isinstance(operation, ast.Pow):
         if b_dimension:
-            raise RadiusLawError("The radius expression has a length as an exponent.")
+            raise RadiusLawError("The expression has a length as an exponent.")
         if a_dimension and np.iscomplexobj(b):
-            raise RadiusLawError("The radius expression raises a length to a power that changes.")
+            raise RadiusLawError("The expression raises a length to a power that changes.")
         return a**b, a_dimension and a_dimension * float(b)
     if type(operation) not in _OPERATORS:
-        raise RadiusLawError("The radius expression may have only the operators + - * / ^.")
+        raise RadiusLawError("The expression may have only the operators + - * / ^.")
     value = _OPERATORS[type(operation)](a, b)
     if isinstance(operation, ast.Mult):
         return value, a_dimension + b_dimension
@@ -185,7 +197,7 @@ def _combined(operation, left, right):
         return value, a_dimension - b_dimension
     if a_dimension != b_dimension:
         raise RadiusLawError(
-            "The radius expression adds a length and a plain number, or a length and an area."
+            "The expression adds a length and a plain number, or a length and an area."
             " Write units: 2 mm."
         )
     return value, a_dimension
@@ -199,11 +211,11 @@ def _called(name, arguments):
         return np.sqrt(value), dimension / 2
     if name not in _FUNCTIONS:
         raise RadiusLawError(
-            f"The radius expression has the unknown function {name}. It may have"
+            f"The expression has the unknown function {name}. It may have"
             f" {', '.join(['sqrt', *_FUNCTIONS])}."
         )
     if dimension:
         raise RadiusLawError(
-            f"The radius expression has {name} of a length. Divide it by one first, such as s / L."
+            f"The expression has {name} of a length. Divide it by one first, such as s / L."
         )
     return _FUNCTIONS[name](value), 0

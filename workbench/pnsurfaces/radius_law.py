@@ -11,7 +11,7 @@ from pnsurfaces.fitted_law import fitted_law
 from pnsurfaces.position import ARC_LENGTH, measure
 from pnsurfaces.profile import Profile
 from pnsurfaces.radius_error import RadiusLawError
-from pnsurfaces.radius_expression import RadiusExpression
+from pnsurfaces.radius_expression import LENGTH, RadiusExpression
 from pnsurfaces.spline_grid import basis
 
 CONSTANT = "Constant"
@@ -122,15 +122,8 @@ def _table(obj, spine):
     return _through(spine, *_extended(spine, parameters, radii))
 
 
-def radius_expression(obj, spine):
-    """The RadiusExpression of feature `obj`. Raises RadiusLawError when the text is none."""
-    dimension = 1 if obj.PositionBy == ARC_LENGTH else 0
-    return RadiusExpression(obj.RadiusExpression, dimension, spine.length)
-
-
 def _expression(obj, spine):
-    scale = measure(spine, obj.PositionBy)
-    return _fitted(_AlongSpine(radius_expression(obj, spine), scale), obj, spine)
+    return fitted_expression(obj.RadiusExpression, obj, spine, "the radius expression")
 
 
 def _profile(obj, spine):
@@ -153,14 +146,32 @@ _LAWS = {
 }
 
 
+def fitted_expression(text, obj, spine, what, dimension=LENGTH):
+    """The RadiusLaw that follows an expression of a dimension within the FitTolerance of `obj`.
+
+    `what` it is called. Raises RadiusLawError when the text is no such expression.
+    """
+    return _fitted(along_spine(text, obj.PositionBy, spine, what, dimension), obj, spine)
+
+
+def along_spine(text, position_by, spine, what, dimension=LENGTH):
+    """An expression of a dimension in the position, as what fitted_law follows; `what` it is called.
+
+    Raises RadiusLawError when the text is no such expression.
+    """
+    scale = measure(spine, position_by)
+    position_dimension = 1 if position_by == ARC_LENGTH else 0
+    expression = RadiusExpression(text, position_dimension, spine.length, dimension)
+    return _AlongSpine(expression, scale, what)
+
+
 class _AlongSpine:
     """An expression in the position as a function of the parameter of a spine."""
 
-    what = "the radius expression"
-
-    def __init__(self, expression, scale):
+    def __init__(self, expression, scale, what):
         self._expression = expression
         self._scale = scale
+        self.what = what
 
     def radius(self, stretch, t):
         return self._expression.radius(self._scale.position(stretch, t))

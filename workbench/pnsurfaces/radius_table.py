@@ -2,6 +2,7 @@
 """A table of positions and radii, typed in the user's units or pasted from a spreadsheet."""
 
 import re
+from functools import partial
 from typing import Any, NamedTuple
 
 import FreeCAD
@@ -28,12 +29,17 @@ class Column(NamedTuple):
 
 def length_column(title):
     """A column of lengths in millimetres, in the user's units on the screen."""
-    return Column(title, lambda value: _quantity(value).UserString, _in_full, read_length)
+    return _column(title, FreeCAD.Units.Length)
+
+
+def area_column(title):
+    """The same of areas in square millimetres."""
+    return _column(title, FreeCAD.Units.Area)
 
 
 def short_length_column(title):
-    """The same without the unit, where there is little room."""
-    return Column(title, _without_unit, _in_full, read_length)
+    """A column of lengths without the unit, where there is little room."""
+    return length_column(title)._replace(shown=partial(_without_unit, unit=FreeCAD.Units.Length))
 
 
 def number_column(title):
@@ -42,7 +48,7 @@ def number_column(title):
 
 
 class RadiusTable(QtCore.QAbstractTableModel):
-    """Rows of numbers, in millimetres where they are lengths."""
+    """Rows of numbers, in millimetres where they are lengths, square millimetres where areas."""
 
     edited = QtCore.Signal()
 
@@ -120,28 +126,35 @@ class RadiusTable(QtCore.QAbstractTableModel):
         return [column.read(cell.strip()) for column, cell in zip(self._columns, cells)]
 
 
-def read_length(text):
-    """The millimetres of a typed length. A bare number is one in the unit that is shown.
+def _column(title, unit):
+    def shown(value):
+        return FreeCAD.Units.Quantity(value, unit).UserString
 
-    Raises ValueError when the text is no length.
+    return Column(title, shown, partial(_in_full, unit=unit), partial(_read_quantity, unit=unit))
+
+
+def _read_quantity(text, unit):
+    """The value of a typed quantity. A bare number is one in the unit that is shown.
+
+    Raises ValueError when the text is no quantity of `unit`.
     """
     quantity = FreeCAD.Units.Quantity(text)
-    if quantity.Unit == FreeCAD.Units.Length:
+    if quantity.Unit == unit:
         return quantity.Value
-    _, factor, _ = _quantity(1).getUserPreferred()
-    return float(text) * factor
+    return float(text) * _shown_unit(1, unit)[0]
 
 
-def _quantity(millimetres):
-    return FreeCAD.Units.Quantity(millimetres, FreeCAD.Units.Length)
+def _without_unit(value, unit):
+    return f"{value / _shown_unit(value, unit)[0]:.6g}"
 
 
-def _without_unit(millimetres):
-    _, factor, _ = _quantity(millimetres).getUserPreferred()
-    return f"{millimetres / factor:.6g}"
-
-
-def _in_full(millimetres):
+def _in_full(value, unit):
     """All digits, in the unit that is shown."""
-    _, factor, unit = _quantity(millimetres).getUserPreferred()
-    return f"{millimetres / factor!r} {unit}"
+    factor, symbol = _shown_unit(value, unit)
+    return f"{value / factor!r} {symbol}"
+
+
+def _shown_unit(value, unit):
+    """The unit that a value is shown in: how much it is, and its symbol."""
+    _, factor, symbol = FreeCAD.Units.Quantity(value, unit).getUserPreferred()
+    return factor, symbol

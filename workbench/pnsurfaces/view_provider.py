@@ -19,6 +19,8 @@ from pnsurfaces.quadric_offset import QuadricOffset
 from pnsurfaces.quadric_offset_panel import QuadricOffsetPanel
 from pnsurfaces.ruled_offset import RuledOffset
 from pnsurfaces.ruled_offset_panel import RuledOffsetPanel
+from pnsurfaces.squared_radius_canal import SquaredRadiusCanal
+from pnsurfaces.squared_radius_canal_panel import SquaredRadiusCanalPanel
 from pnsurfaces.triangulated_skins import TriangulatedSkins
 from pnsurfaces.triangulated_skins_panel import TriangulatedSkinsPanel
 
@@ -32,6 +34,7 @@ PANELS = {
     MovingConicSection: MovingConicSectionPanel,
     QuadricOffset: QuadricOffsetPanel,
     RuledOffset: RuledOffsetPanel,
+    SquaredRadiusCanal: SquaredRadiusCanalPanel,
     TriangulatedSkins: TriangulatedSkinsPanel,
 }
 

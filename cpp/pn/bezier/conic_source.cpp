@@ -74,12 +74,18 @@ void check_arcs(const ConicPoints& conics) {
   if (!bad.empty()) refuse(bad.front().value.midpoint());
 }
 
+std::array<Vector4OfPolynomials, 3> points_of_frame(const MovingConic& conic) {
+  std::array<Vector4OfPolynomials, 3> points;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t c = 0; c < 4; ++c) points[i][c] = conic.frame[c][i];
+  }
+  return points;
+}
+
 /// The planes (e1, e2, e3, e4) of the conics.
 Vector4OfPolynomials planes(const MovingConic& conic) {
-  const auto point = [&](std::size_t i) -> Vector4OfPolynomials {
-    return {conic.frame[0][i], conic.frame[1][i], conic.frame[2][i], conic.frame[3][i]};
-  };
-  return join(point(0), point(1), point(2));
+  const auto [a, b, c] = points_of_frame(conic);
+  return join(a, b, c);
 }
 
 /// With a frame that spans a plane at every t in [0, 1], where a conic with another one can have
@@ -101,14 +107,35 @@ ConicSpan with_regular_frame(const ConicSpan& span) {
                           text + "; with a cut they may not be.");
 }
 
-RationalMatrix tangent_planes_at(const ConicSpan& span, long t) {
+/// The conic at t, its entries constant.
+MovingConic conic_at(const MovingConic& conic, const Rational& t) {
+  MovingConic result = conic;
+  for (auto& row : result.frame) {
+    for (Polynomial& entry : row) entry = entry(t);
+  }
+  for (auto& row : result.conic) {
+    for (Polynomial& entry : row) entry = entry(t);
+  }
+  return result;
+}
+
+RationalMatrix values_at(const Matrix4OfPolynomials& matrix, const Rational& t) {
   RationalMatrix values;
-  const Matrix4OfPolynomials matrix = tangent_planes_of(span.conic).matrix;
   for (const Vector4OfPolynomials& row : matrix) {
     values.emplace_back();
-    for (const Polynomial& entry : row) values.back().push_back(entry(Rational(t)));
+    for (const Polynomial& entry : row) values.back().push_back(entry(t));
   }
   return values;
+}
+
+/// Of the conic at t alone, whose numbers are short; by continuity where it is not regular.
+RationalMatrix tangent_planes_at(const ConicSpan& span, long end) {
+  const Rational t(end);
+  const MovingConic here = conic_at(span.conic, t);
+  const RationalMatrix values =
+      values_at(congruent(adjugate(here.conic), points_of_frame(here)), t);
+  if (row_echelon_form(values).size() == 3) return values;
+  return values_at(tangent_planes_of(span.conic).matrix, t);
 }
 
 /// Divided by the largest magnitude of an entry.
@@ -155,14 +182,14 @@ std::vector<Rational> pole_at(const ConicSpan& span, int end) {
   return pole;
 }
 
-/// The tangent planes of a conic have no sign to choose: squares are what they are made of.
 bool ends_where_begins(const ConicSpan& span, const ConicSpan& next) {
   const RationalMatrix end = tangent_planes_at(span, 1), begin = tangent_planes_at(next, 0);
   if (row_echelon_form(end).size() != 3 || row_echelon_form(begin).size() != 3) return false;
   const Eigen::Matrix4d a = in_doubles(end), b = in_doubles(begin);
   const double inverse_size = 1 / size_of(a);
   const Eigen::DiagonalMatrix<double, 4> unit(inverse_size, inverse_size, inverse_size, 1);
-  if (!are_alike(unit * a * unit, unit * b * unit)) return false;
+  const Eigen::Matrix4d left = unit * a * unit, right = unit * b * unit;
+  if (!are_alike(left, right) && !are_alike(left, -right)) return false;
   return !span.cut ||
          are_alike(in_doubles({pole_at(span, 1)}) * unit, in_doubles({pole_at(next, 0)}) * unit);
 }

@@ -33,14 +33,14 @@ std::vector<Polynomial> by_multiplicity(Polynomial squarefree, Polynomial other)
   return parts;
 }
 
-/// Of the real quadratic form C(t), det C(t) != 0: both signs occur.
-bool has_real_points(const ConicFamily& family, const Rational& t) {
+/// Of the real quadratic form C(t), with its determinant, which is not zero: both signs occur.
+bool has_real_points(const ConicFamily& family, const Polynomial& det, const Rational& t) {
   const auto at = [&](int i, int j) {
     return family.matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)](t);
   };
   const Rational first = at(0, 0);
   const Rational second = at(0, 0) * at(1, 1) - at(0, 1) * at(0, 1);
-  const Rational third = determinant(family.matrix)(t);
+  const Rational third = det(t);
   return second.sign() <= 0 || first.sign() * third.sign() <= 0;
 }
 
@@ -63,8 +63,9 @@ std::string shown(double x) {
 
 std::optional<OpenInterval> without_real_points(const ConicFamily& family, const Polynomial& det,
                                                 const std::vector<Rational>& samples) {
-  const auto bad = std::find_if(samples.begin(), samples.end(),
-                                [&](const Rational& t) { return !has_real_points(family, t); });
+  const auto bad = std::find_if(samples.begin(), samples.end(), [&](const Rational& t) {
+    return !has_real_points(family, det, t);
+  });
   if (bad == samples.end()) return std::nullopt;
   return interval_around(*bad, isolate_roots(det, 128).real);
 }

@@ -32,11 +32,16 @@ Vector product(const Matrix& m, const Vector& v) {
   return {dot(m[0], v), dot(m[1], v), dot(m[2], v)};
 }
 
-Matrix negative(Matrix m) {
-  for (Vector& row : m) {
-    for (Polynomial& entry : row) entry = -entry;
+/// The form or its negative, of signature (2, 1).
+Matrix with_double_cones(const Matrix& form) {
+  Matrix at_zero, negative;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      at_zero[i][j] = form[i][j].coefficient(0);
+      negative[i][j] = -form[i][j];
+    }
   }
-  return m;
+  return determinant(at_zero).coefficient(0).sign() < 0 ? form : negative;
 }
 
 /// The v and d of the theorem, and its product of signs.
@@ -49,12 +54,12 @@ struct OrthogonalVectors {
 /// Nothing where d1 and p.Qq have a common real zero or a minor is zero for all t.
 std::optional<OrthogonalVectors> orthogonal_vectors(const Matrix& form, const Vector& p,
                                                     const Vector& q) {
-  const Vector form_p = product(form, p);
-  const Polynomial pp = dot(p, form_p), pq = dot(q, form_p), qq = dot(q, product(form, q));
+  const Vector form_p = product(form, p), form_q = product(form, q);
+  const Polynomial pp = dot(p, form_p), pq = dot(q, form_p), qq = dot(q, form_q);
   const Polynomial second = pp * qq - pq * pq;
   if (pp.is_zero() || second.is_zero()) return std::nullopt;
   const Vector v2 = difference(times(pp, q), times(pq, p));
-  const Vector v3 = product(adjugate(form), cross(p, q));
+  const Vector v3 = cross(form_p, form_q);
   const auto at_first = sign_at_real_roots(pp, -pq);
   if (!at_first) return std::nullopt;
   const Vector q_across_p = difference(times(dot(p, p), q), times(dot(p, q), p));
@@ -117,8 +122,7 @@ Vector section(const Vector& value, const Vector3<int>& e, int m) {
 }  // namespace
 
 int parity_of_splitting(const RationalLattice& lattice, int m) {
-  const bool is_negative = determinant(lattice.conic())(Rational(0)).sign() < 0;
-  const Matrix conic = is_negative ? lattice.conic() : negative(lattice.conic());
+  const Matrix conic = with_double_cones(lattice.conic());
   Vector3<std::size_t> ascending = {0, 1, 2};
   std::stable_sort(ascending.begin(), ascending.end(), [&](std::size_t i, std::size_t j) {
     return lattice.degree()[i] < lattice.degree()[j];

@@ -12,7 +12,7 @@
 //
 // THEOREM. Let Q have signature (2, 1) for all real t, let p and q be constant vectors, and
 //     d1 = p.Qp,    d2 = (p.Qp)(q.Qq) - (p.Qq)^2,
-//     v1 = p,       v2 = (p.Qp) q - (p.Qq) p,       v3 = adj(Q) (p x q),
+//     v1 = p,       v2 = (p.Qp) q - (p.Qq) p,       v3 = Qp x Qq,
 // where d1 and p.Qq have no common real zero. For every t one of the v is in the double cone or on
 // its boundary: v1 where d1 <= 0, v2 where d1 >= 0 >= d2, v3 where d2 >= 0. From t = -oo to oo they
 // are carried along in one nappe, up to the product of the signs of -p.Qq at the real zeros of d1
