@@ -134,16 +134,6 @@ EXAMPLES = (
         ("Duct",), ("Duct",), -65, 30,
     ),
     Example(
-        "trough",
-        QT_TRANSLATE_NOOP("PNSurfaces", "Trough"),
-        QT_TRANSLATE_NOOP(
-            "PNSurfaces",
-            "A reflector along a lamp: hyperbolas that spread its light, then a parabola, then"
-            " ellipses that gather it.",
-        ),
-        ("Trough", "Lamp"), ("Lamp",), 50, 30,
-    ),
-    Example(
         "spray",
         QT_TRANSLATE_NOOP("PNSurfaces", "Spray"),
         QT_TRANSLATE_NOOP(
@@ -153,5 +143,15 @@ EXAMPLES = (
         ),
         ("Drop1", "Drop2", "Drop3", "Drop4", "Drop5"),
         ("Drop1", "Drop2", "Drop3", "Drop4", "Drop5"), -50, 30,
+    ),
+    Example(
+        "trough",
+        QT_TRANSLATE_NOOP("PNSurfaces", "Trough"),
+        QT_TRANSLATE_NOOP(
+            "PNSurfaces",
+            "A reflector along a lamp: hyperbolas that spread its light, then a parabola, then"
+            " ellipses that gather it.",
+        ),
+        ("Trough", "Lamp"), ("Lamp",), 50, 30,
     ),
 )
