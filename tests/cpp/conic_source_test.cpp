@@ -269,5 +269,8 @@ TEST_CASE("Arcs that meet but for rounding are joined, of parabolas too", "[coni
     CHECK(joined.certificate(Lines::kEven).deviation < 1e-13);
     const auto apart = [&] { surface_of({first, lifted(10L, constant, 1e-9)}); };
     CHECK(code_of(apart) == ErrorCode::kGap);
+    ConicSpan lower = lifted(10L, constant, 0);
+    lower.cut = Vector3<RationalPolynomial>{1L, 0L, -1L};
+    CHECK(code_of([&] { surface_of({first, lower}); }) == ErrorCode::kGap);
   }
 }

@@ -431,7 +431,7 @@ class RefusalsFromTheVertex(RefusalTest):
         self.obj.RadiusExpression = self.obj.DepthExpression = "5 mm"
         self.obj.ConicConstantExpression = "0 * s"
         self.assert_fails_and_recovers(
-            "The conic constant: The expression gives a length, not a plain number.",
+            "The conic constant: The expression gives millimetres to the power 1, not a plain number.",
             lambda: setattr(self.obj, "SectionLaw", "Linear"),
         )
 

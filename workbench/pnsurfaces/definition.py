@@ -16,7 +16,7 @@ coordinates, so that a bound of 1e-14 mm on a surface of 100 mm is met, but not 
   spheres |x - m(u, v)| = r(u, v) + d: a point of it is on one sphere and outside all its
   neighbours, (x - m).m_u + (r + d) r_u = 0 and likewise for v.
 - A moving conic section has the points x in the plane of a section, (x - m).m' = 0 or with a fixed
-  normal or m' less its part along up for m', whose coordinates p to the side and q upwards have
+  normal, or m' less its part along up, for m'. Their coordinates p to the side and q upwards have
   (p / a)^2 + (q / b)^2 = 1 or, from the vertex, p^2 = 2 R q - (1 + K) q^2.
 - The wavefront of a mirror of path length d is the envelope of the spheres |x - m(u, v)| = d - s(u, v)
   around its points, where s is the path of the light to m: Huygens' principle.

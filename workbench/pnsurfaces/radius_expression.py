@@ -59,21 +59,25 @@ _FUNCTIONS = {
 
 _CONSTANTS = {"pi": math.pi, "e": math.e}
 
-# The dimension of a radius as a power of length, and that of its square.
+# The dimensions, as powers of length, of a plain number, of a radius, and of its square.
+NUMBER = 0
 LENGTH = 1
 AREA = 2
 
 # What they are called, and an expression of each.
-_WORDS = {LENGTH: ("a length", "2 mm + 1 mm * s"), AREA: ("an area", "4 mm^2 + 5 mm^2 * s")}
+_WORDS = {
+    NUMBER: ("a plain number", "-1 + 0.5 * s"),
+    LENGTH: ("a length", "2 mm + 1 mm * s"),
+    AREA: ("an area", "4 mm^2 + 5 mm^2 * s"),
+}
 
 
 class RadiusExpression:
     """The radius in millimetres, or its square, as a function of the position s.
 
     `position_dimension` is 1 where s is a length in millimetres, 0 where it is a share; `length` is
-    that of the spine; the result shall have the `dimension` LENGTH for a radius and AREA for its
-    square, or be a plain number, 0, which is then its `dimension`. Raises RadiusLawError when the
-    text is no such expression.
+    that of the spine; `dimension` is LENGTH for a radius, AREA for its square, and NUMBER for
+    what has no unit. Raises RadiusLawError when the text is no such expression.
     """
 
     def __init__(self, text, position_dimension, length, dimension=LENGTH):
@@ -82,10 +86,10 @@ class RadiusExpression:
         self._position_dimension = position_dimension
         self._names = {name: (np.float64(value), 0) for name, value in _CONSTANTS.items()}
         self._names["L"] = (np.float64(length), 1)
-        _, self.dimension = self._value_of(np.complex128(1.0))
-        if self.dimension not in (0, dimension):
+        _, found = self._value_of(np.complex128(1.0))
+        if found not in (0, dimension):
             raise RadiusLawError(
-                f"The expression gives millimetres to the power {self.dimension:g}, not {words}."
+                f"The expression gives millimetres to the power {found:g}, not {words}."
             )
 
     def radius(self, s):

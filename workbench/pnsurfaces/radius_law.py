@@ -122,14 +122,8 @@ def _table(obj, spine):
     return _through(spine, *_extended(spine, parameters, radii))
 
 
-def radius_expression(obj, spine):
-    """The RadiusExpression of feature `obj`. Raises RadiusLawError when the text is none."""
-    return _by_position(obj.RadiusExpression, obj.PositionBy, spine, LENGTH)
-
-
 def _expression(obj, spine):
-    function = along_spine(obj.RadiusExpression, obj.PositionBy, spine, "the radius expression")
-    return _fitted(function, obj, spine)
+    return fitted_expression(obj.RadiusExpression, obj, spine, "the radius expression")
 
 
 def _profile(obj, spine):
@@ -152,18 +146,23 @@ _LAWS = {
 }
 
 
+def fitted_expression(text, obj, spine, what, dimension=LENGTH):
+    """The RadiusLaw that follows an expression of a dimension within the FitTolerance of `obj`.
+
+    `what` it is called. Raises RadiusLawError when the text is no such expression.
+    """
+    return _fitted(along_spine(text, obj.PositionBy, spine, what, dimension), obj, spine)
+
+
 def along_spine(text, position_by, spine, what, dimension=LENGTH):
     """An expression of a dimension in the position, as what fitted_law follows; `what` it is called.
 
     Raises RadiusLawError when the text is no such expression.
     """
-    expression = _by_position(text, position_by, spine, dimension)
-    return _AlongSpine(expression, measure(spine, position_by), what)
-
-
-def _by_position(text, position_by, spine, dimension):
+    scale = measure(spine, position_by)
     position_dimension = 1 if position_by == ARC_LENGTH else 0
-    return RadiusExpression(text, position_dimension, spine.length, dimension)
+    expression = RadiusExpression(text, position_dimension, spine.length, dimension)
+    return _AlongSpine(expression, scale, what)
 
 
 class _AlongSpine:

@@ -14,12 +14,13 @@ import numpy as np
 
 from pnsurfaces.canal_surface import lengths
 from pnsurfaces.radius_error import RadiusLawError
+from pnsurfaces.radius_expression import LENGTH, NUMBER
 from pnsurfaces.radius_law import (
     CONSTANT,
     EXPRESSION,
     LINEAR,
     TABLE,
-    radius_expression,
+    fitted_expression,
     radius_law,
 )
 from pnsurfaces.spline_grid import spread
@@ -130,32 +131,25 @@ def _named(pattern, quantities, values):
 
 
 def _law(obj, quantity, spine):
-    inputs = SimpleNamespace(
+    try:
+        if obj.SectionLaw == EXPRESSION:
+            text = getattr(obj, f"{quantity.name}Expression")
+            return fitted_expression(text, obj, spine, quantity.words, quantity.dimension)
+        return radius_law(_as_radius(obj, quantity), spine)
+    except RadiusLawError as error:
+        raise SectionLawError(f"{quantity.words.capitalize()}: {error}") from error
+
+
+def _as_radius(obj, quantity):
+    """The properties of a quantity under the names of those of a radius."""
+    return SimpleNamespace(
         RadiusLaw=obj.SectionLaw,
         Radius=number_of_property(obj, quantity.name),
         EndRadius=number_of_property(obj, f"End{quantity.name}"),
         Radii=getattr(obj, quantity.plural),
-        RadiusExpression=getattr(obj, f"{quantity.name}Expression"),
         PositionBy=obj.PositionBy,
         Positions=obj.Positions,
-        FitTolerance=obj.FitTolerance,
     )
-    try:
-        _require_no_length(inputs, quantity, spine)
-        law = radius_law(inputs, spine)
-    except RadiusLawError as error:
-        raise SectionLawError(f"{quantity.words.capitalize()}: {error}") from error
-    return law._replace(fits=tuple(fit._replace(what=quantity.words) for fit in law.fits))
-
-
-def _require_no_length(inputs, quantity, spine):
-    """A length may be a number, of millimetres, but a plain number no length."""
-    if quantity.dimension or inputs.RadiusLaw != EXPRESSION:
-        return
-    if radius_expression(inputs, spine).dimension:
-        raise RadiusLawError(
-            "The expression gives a length, not a plain number. Divide it by one, such as s / L."
-        )
 
 
 def _fits_of_half_axes(laws):
@@ -183,17 +177,17 @@ SECTIONS = {
     ELLIPSE: Section(
         "half_axes",
         (
-            Quantity("HalfWidth", "HalfWidths", "the half-axis to the side", 1),
-            Quantity("HalfHeight", "HalfHeights", "the half-axis upwards", 1),
+            Quantity("HalfWidth", "HalfWidths", "the half-axis to the side", LENGTH),
+            Quantity("HalfHeight", "HalfHeights", "the half-axis upwards", LENGTH),
         ),
         _fits_of_half_axes,
     ),
     FROM_THE_VERTEX: Section(
         "vertex",
         (
-            Quantity("Radius", "Radii", "the radius of curvature at the vertex", 1),
-            Quantity("ConicConstant", "ConicConstants", "the conic constant", 0),
-            Quantity("Depth", "Depths", "the depth", 1),
+            Quantity("Radius", "Radii", "the radius of curvature at the vertex", LENGTH),
+            Quantity("ConicConstant", "ConicConstants", "the conic constant", NUMBER),
+            Quantity("Depth", "Depths", "the depth", LENGTH),
         ),
         _fits_from_the_vertex,
     ),

@@ -183,14 +183,14 @@ std::vector<Rational> pole_at(const ConicSpan& span, int end) {
   return pole;
 }
 
-/// The tangent planes of a conic have no sign to choose: squares are what they are made of.
 bool ends_where_begins(const ConicSpan& span, const ConicSpan& next) {
   const RationalMatrix end = tangent_planes_at(span, 1), begin = tangent_planes_at(next, 0);
   if (row_echelon_form(end).size() != 3 || row_echelon_form(begin).size() != 3) return false;
   const Eigen::Matrix4d a = in_doubles(end), b = in_doubles(begin);
   const double inverse_size = 1 / size_of(a);
   const Eigen::DiagonalMatrix<double, 4> unit(inverse_size, inverse_size, inverse_size, 1);
-  if (!are_alike(unit * a * unit, unit * b * unit)) return false;
+  const Eigen::Matrix4d left = unit * a * unit, right = unit * b * unit;
+  if (!are_alike(left, right) && !are_alike(left, -right)) return false;
   return !span.cut ||
          are_alike(in_doubles({pole_at(span, 1)}) * unit, in_doubles({pole_at(next, 0)}) * unit);
 }
