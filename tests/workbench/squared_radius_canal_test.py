@@ -211,7 +211,7 @@ class Refusals(SquaredRadiusTest):
         self.obj.Positions, self.obj.SquaredRadii = [0, 1], [20]
         self.choose("Table")
         self.assert_fails_and_recovers(
-            "The squared radius: The table has 2 positions and 1 radii.",
+            "The squared radius: The table has 2 positions and 1 values.",
             lambda: self.choose("Linear"),
         )
 
