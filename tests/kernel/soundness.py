@@ -229,15 +229,15 @@ def sections(random):
         p, q = ((point - m) @ axis / norm(axis) for axis in (side, above))
         return (p / a) ** 2 + (q / b) ** 2 - 1, t
 
-    def error(point, u):
+    def error_from(point, start):
         """The value over its gradient: of second order in the error itself."""
-        value, t = inside(point, u)
+        value, t = inside(point, start)
         step = mpf(10) ** -25
         gradient = np.array([(inside(point + step * e, t)[0] - value) / step
                              for e in np.array(np.eye(3), dtype=object)])
         return abs(value) / norm(gradient)
 
-    return Specimen(surface, error)
+    return Specimen(surface, _nearest(error_from, spine))
 
 
 def squared_radii(random):
@@ -248,8 +248,8 @@ def squared_radii(random):
     surface = pn.moebius_canal_surface(pn.Curve.bspline(*spine.arguments),
                                        pn.Law.bspline(*square.arguments))
 
-    def error(point, u):
-        t = mpf(u)
+    def error_from(point, start):
+        t = mpf(start)
         for _ in range(NEWTON_STEPS):
             (m, m1, m2), (r, r1, r2) = spine.derivatives(t, 0), square.derivatives(t, 0)
             arm = point - m
@@ -257,9 +257,26 @@ def squared_radii(random):
             t -= step
             if abs(step) < mpf(10) ** -45:
                 break
-        return abs(norm(arm) - mpmath.sqrt(r[0]))
+        return abs(norm(arm) - mpmath.sqrt(abs(r[0])))
 
-    return Specimen(surface, error)
+    return Specimen(surface, _nearest(error_from, spine))
+
+
+def _nearest(error_from, spine):
+    """The error by the section or circle nearest to the point.
+
+    A face has a parameter of its own where the conics are real on an interval only: then other places
+    of the spine are tried than its first parameter.
+    """
+    def error(point, u):
+        found = []
+        for start in (u, *np.linspace(spine.knots[0], spine.knots[-1], 9)):
+            found.append(error_from(point, start))
+            if found[-1] < NEAR:
+                break
+        return min(found)
+
+    return error
 
 
 def _skin(family, sign, random):
