@@ -8,6 +8,7 @@ import Part
 from support import DocumentTest, shape_data
 
 import pnsurfaces
+from pnsurfaces.shape import measured
 
 DOCUMENTS = pathlib.Path(__file__).parent / "documents"
 
@@ -25,11 +26,12 @@ class StoredDocuments(DocumentTest):
                 with self.subTest(path.name):
                     self.assertEqual(obj.SchemaVersion, obj.Proxy.schema_version)
                     self.assertNotIn("Touched", obj.State)
-                    area = obj.Shape.Area
+                    # That of FreeCAD depends on the lines of the faces.
+                    area = measured(obj.Shape)["Area"]
                     obj.touch()
                     document.recompute()
                     self.assert_valid(obj)
-                    self.assertAlmostEqual(obj.Shape.Area / area, 1, delta=1e-12)
+                    self.assertAlmostEqual(measured(obj.Shape)["Area"] / area, 1, delta=1e-12)
 
     def test_every_class_has_one_of_its_present_schema(self):
         stems = {path.stem for path in DOCUMENTS.glob("*.FCStd")}
