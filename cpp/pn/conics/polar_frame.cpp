@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "pn/algebra/common_factor.hpp"
 #include "pn/conics/stereographic_projection.hpp"
 #include "pn/geometry_error.hpp"
 
@@ -18,18 +19,12 @@ Vector cross(const Vector& a, const Vector& b) {
 
 bool vanishes(const Vector& x) { return x[0].is_zero() && x[1].is_zero() && x[2].is_zero(); }
 
-Vector without_common_factor(Vector x) {
-  const Polynomial common = gcd(gcd(x[0], x[1]), x[2]);
-  for (Polynomial& entry : x) entry = exact_quotient(entry, common);
-  return x;
-}
-
 /// A line through p that does not touch the conic. At most two lines through p touch it, and a line
 /// contains at most two of the points (1, s, s^2): one of six of them is joined with p by another.
 Vector secant_through(const Vector& p, const Matrix3<Polynomial>& conic) {
   for (long s = 0; s < 6; ++s) {
     const Vector line = cross(p, {1L, s, s * s});
-    if (!polar_form(conic, line, line).is_zero()) return without_common_factor(line);
+    if (!polar_form(conic, line, line).is_zero()) return coprime(line);
   }
   throw std::logic_error("more than two tangents through a point");
 }
@@ -42,7 +37,7 @@ Vector second_tangent(const Vector& q, const Vector& g, const Matrix3<Polynomial
     const Vector line = cross(q, corner);
     // The line must not be g itself.
     if (!vanishes(cross(line, g))) {
-      return without_common_factor(stereographic_projection(conic, g, line));
+      return coprime(stereographic_projection(conic, g, line));
     }
   }
   throw std::logic_error("a point with one line through it");
@@ -62,15 +57,14 @@ PolarFrame polar_frame(const QuadraticCones& cones) {
     for (std::size_t i = 0; i < 4; ++i) g[j] += cones.planes[i][j] * slope[i];
   }
   PolarFrame frame;
-  frame.g = without_common_factor(g);
-  frame.p = without_common_factor(polar_of(conic, frame.g));
+  frame.g = coprime(g);
+  frame.p = coprime(polar_of(conic, frame.g));
   frame.eta = secant_through(frame.p, conic);
-  frame.q = without_common_factor(polar_of(conic, frame.eta));
+  frame.q = coprime(polar_of(conic, frame.eta));
   frame.is_parabolic = polar_form(conic, frame.g, frame.g).is_zero();
   frame.zeta = frame.is_parabolic ? second_tangent(frame.q, frame.g, conic)
-                                  : without_common_factor(cross(frame.p, frame.q));
-  frame.r = without_common_factor(frame.is_parabolic ? cross(frame.eta, frame.zeta)
-                                                     : cross(frame.g, frame.eta));
+                                  : coprime(cross(frame.p, frame.q));
+  frame.r = coprime(frame.is_parabolic ? cross(frame.eta, frame.zeta) : cross(frame.g, frame.eta));
   const std::array<Vector, 3> rows = {frame.g, frame.eta, frame.zeta};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) frame.form[i][j] = polar_form(conic, rows[i], rows[j]);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "pn/algebra/common_factor.hpp"
 #include "pn/algebra/parallel.hpp"
 #include "pn/algebra/power_of_two.hpp"
 #include "pn/algebra/roots.hpp"
@@ -35,9 +36,11 @@ bool is_zero(const Direction& a) {
 }
 
 /// Without common factor, and neither very long nor very short.
-Direction coprime(const Direction& a) {
-  const Polynomial common = gcd(gcd(a[0], a[1]), a[2]) * power_of_two_near({a[0], a[1], a[2]});
-  return {exact_quotient(a[0], common), exact_quotient(a[1], common), exact_quotient(a[2], common)};
+Direction primitive(const Direction& a) {
+  const Direction entries = coprime(a);
+  const Polynomial size(power_of_two_near({entries[0], entries[1], entries[2]}));
+  return {exact_quotient(entries[0], size), exact_quotient(entries[1], size),
+          exact_quotient(entries[2], size)};
 }
 
 /// What a designer's direction is over Q.
@@ -123,8 +126,8 @@ Span directed(Span span, const SectionPlanes& planes) {
                                                  at_all(span) + ". Choose another one.");
   }
   if (std::holds_alternative<UprightPlanes>(planes.kind)) normal = cross(up, sideways);
-  span.sideways = coprime(sideways);
-  span.upwards = coprime(cross(span.sideways, normal));
+  span.sideways = primitive(sideways);
+  span.upwards = primitive(cross(span.sideways, normal));
   return span;
 }
 
