@@ -13,6 +13,10 @@
 
 #include "pn/algebra/cancellation.hpp"
 
+#if defined(PN_THREAD_SANITIZER)
+#include <sanitizer/tsan_interface.h>
+#endif
+
 namespace pn {
 namespace {
 
@@ -39,22 +43,43 @@ class LeastError {
   std::exception_ptr error_;
 };
 
+// What happens before `reach` is seen by whoever has called `pass` after it. TBB keeps this
+// promise at the beginning and at the end of a loop, but as Debian's library is not instrumented,
+// the thread sanitizer has to be told.
+class Moment {
+ public:
+#if defined(PN_THREAD_SANITIZER)
+  void reach() { __tsan_release(this); }
+  void pass() { __tsan_acquire(this); }
+#else
+  void reach() {}
+  void pass() {}
+#endif
+};
+
 }  // namespace
 
 void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work) {
   stop_if_cancelled();
   if (count == 1) return work(0);
   LeastError error;
+  // Two moments: with one, the end of an index would come before the beginning of the next one, and
+  // hide that both write to the same place.
+  Moment beginning, end;
   const auto guarded = [&](std::size_t i) {
+    beginning.pass();
     if (error.is_before(i)) return;
     try {
       work(i);
     } catch (...) {
       error.take(i, std::current_exception());
     }
+    end.reach();
   };
+  beginning.reach();
   // Isolated, so that a thread that waits here does not take up foreign work, perhaps under a lock.
   tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, count, guarded); });
+  end.pass();
   stop_if_cancelled();
   error.rethrow();
 }

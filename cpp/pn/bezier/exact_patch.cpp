@@ -17,7 +17,7 @@ constexpr double kParameterTolerance = 2e-13;
 FaceNet face_net(const ExactPatch& patch, double place, long precision) {
   FaceNet face;
   face.stands_still = false;
-  const auto [m, n] = patch.degree;
+  const int m = patch.degree[0], n = patch.degree[1];
   face.frame.u_degree = m;
   face.frame.v_degree = n;
   face.frame.u_knots = {place, place + 1};

@@ -98,8 +98,8 @@ Polynomial with_v(const Polynomial& p, const BivariateFunction& v) {
 }
 
 bool vanishes(const Polynomial& p, const Reparametrization& at) {
-  const BivariateFunction s(BivariatePolynomial(Variable::kU)),
-      t(BivariatePolynomial(Variable::kV));
+  const BivariateFunction s{BivariatePolynomial(Variable::kU)},
+      t{BivariatePolynomial(Variable::kV)};
   return RationalFunction<4>(p).composed<2>({at.u, at.v, s, t}).is_zero();
 }
 
@@ -127,8 +127,8 @@ SphereSurface Reparametrization::operator()(const SphereSurface& f) const {
 }
 
 IsotropicField stereographic_field() {
-  const BivariateFunction s(BivariatePolynomial(Variable::kU)),
-      t(BivariatePolynomial(Variable::kV));
+  const BivariateFunction s{BivariatePolynomial(Variable::kU)},
+      t{BivariatePolynomial(Variable::kV)};
   const BivariateFunction square = s * s + t * t;
   return {BivariateFunction(2L) * s, BivariateFunction(2L) * t, BivariateFunction(1L) - square,
           BivariateFunction(1L) + square};

@@ -80,7 +80,7 @@ BinaryForm<3> contact_cubic(const std::vector<QuadraticCoordinate>& rows) {
 
 /// Zero where l^2 belongs to the span of the two forms.
 BinaryForm<2> square_condition(const std::vector<QuadraticCoordinate>& rows) {
-  const auto& [a, b] = std::array{rows[0], rows[1]};
+  const QuadraticCoordinate &a = rows[0], &b = rows[1];
   const auto minor = [&](std::size_t i, std::size_t k) { return a[i] * b[k] - a[k] * b[i]; };
   return {minor(1, 2), Rational(2L) * minor(2, 0), minor(0, 1)};
 }

@@ -176,9 +176,9 @@ void require_envelope(const FamilySpline& spline) {
     const FamilyPiece& piece = spline.pieces[i];
     const auto place = unreal_place(piece.family);
     if (!place) return;
-    const auto [u, v] = *place;
-    const auto [at_w, at_u, at_v] = piece.corners;
     const auto coordinate = [&](std::size_t c) {
+      const auto [u, v] = *place;
+      const auto [at_w, at_u, at_v] = piece.corners;
       return u * spline.corners[at_u][c].to_double() + v * spline.corners[at_v][c].to_double() +
              (1 - u - v) * spline.corners[at_w][c].to_double();
     };

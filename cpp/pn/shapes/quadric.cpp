@@ -141,11 +141,12 @@ OrientedQuadric oriented_elliptic_paraboloid(const Vector3d& a, const QuadricBou
 std::vector<Vector3d> farthest_normals(const OrientedQuadric& paraboloid) {
   constexpr int kPlaces = 16;
   const auto& [x, y, z] = paraboloid.traced.reach;
+  const double top = z.high;
   const Vector3d& square = paraboloid.traced.equation.square;
   std::vector<Vector3d> normals;
   const auto add = [&](double p, double q) {
     const double height = square.x() * p * p + square.y() * q * q;
-    const double scale = std::sqrt(std::min(1.0, z.high / height));
+    const double scale = std::sqrt(std::min(1.0, top / height));
     normals.push_back(paraboloid.normal({scale * p, scale * q, 0}).normalized());
   };
   for (int i = 0; i <= kPlaces; ++i) {
@@ -489,7 +490,7 @@ Interval beyond_heights(const Interval& heights, bool has_apex) {
 BoundedRegion region_about_axis(const OrientedQuadric& quadric, const QuadricBounds& bounds,
                                 const Interval& heights,
                                 const std::function<double(double)>& radius_at) {
-  const auto [low, high] = heights;
+  const double low = heights.low, high = heights.high;
   const Parametrization parametrization = {
       [=](const Vector3d& p, const Vector3d&) { return (p.z() - low) / (high - low); },
       [=](const ContactPoint& at) -> Vector3d {

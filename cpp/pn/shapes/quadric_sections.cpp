@@ -38,7 +38,7 @@ bool touches(const QuadricEquation& quadric, double level, const Box& reach) {
 /// A curve along a coordinate.
 BoundaryConic graph(std::size_t along, const Interval& range,
                     std::function<Vector3d(double)> point) {
-  const auto [low, high] = range;
+  const double low = range.low, high = range.high;
   return {
       [=](double t) { return point(low + t * (high - low)); },
       [=](const Vector3d& p) { return std::clamp((at(p, along) - low) / (high - low), 0.0, 1.0); },
