@@ -2,7 +2,6 @@
 """Documents with a stored value that is wrong: a sentence or another surface, never a surprise."""
 
 import os
-import pathlib
 import random
 import re
 import zipfile
