@@ -8,7 +8,9 @@ from mpmath import mpf
 from splines import Spline, norm
 
 NEWTON_STEPS = 30
-STARTS = 5  # F is stationary for more than one t
+# F is stationary for more than one t: so many places to begin at, and more if none leads near [mm].
+STARTS = (5, 60)
+NEAR = 1e-9
 ROUNDING = 1e-6  # by which points at the ends may be beyond
 
 
@@ -32,13 +34,16 @@ class QuadraticCones:
         The gradient of F on the envelope is that at fixed t; |F| over its length is the distance, but
         for what is of second order in it.
         """
-        found = []
-        for start in np.linspace(0, 1, STARTS):
-            try:
-                found.append(self._distance_from(point, mpf(start)))
-            except ArithmeticError:
-                continue
-        return min(found, default=np.inf)
+        nearest = np.inf
+        for count in STARTS:
+            for start in np.linspace(0, 1, count):
+                try:
+                    nearest = min(nearest, self._distance_from(point, mpf(start)))
+                except ArithmeticError:
+                    continue
+            if nearest < NEAR:
+                break
+        return nearest
 
     def _distance_from(self, point, t):
         for _ in range(NEWTON_STEPS):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The same input gives the same bits: in many threads, in every run, after whatever was asked before."""
+"""The same input gives the same bits: in many threads, in every run, whatever was asked before."""
 
 import os
 import subprocess
