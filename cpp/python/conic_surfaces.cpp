@@ -54,7 +54,13 @@ void define_conic_surfaces(py::module_& module) {
       "w, w), in mm; a direction has w = 0. conic: (h + 1, 3, 3), Bernstein coefficients of the "
       "symmetric matrix C. cut: (l + 1, 3), of a line, takes of each conic the part where cut(t) . "
       "y > 0; without it the conics are ellipses. Its offsets are not rational. Raises "
-      "GeometryError.");
+      "GeometryError.\n\n"
+      ">>> start = [[1, 0, 0], [0, 1, 0], [0, 0, 0], [0, 0, 1]]\n"
+      ">>> end = [[1, 0, 0], [0, 1, 0], [0, 0, 10], [0, 0, 1]]\n"
+      ">>> ellipse = [[1, 0, 0], [0, 4, 0], [0, 0, -4]]\n"
+      ">>> cylinder = pn.conic_surface([start, end], [ellipse, ellipse])\n"
+      ">>> cylinder.degree, cylinder.has_offsets\n"
+      "((1, 2), False)");
 
   module.def(
       "conic_surface_of_spans",

@@ -43,7 +43,12 @@ void define_moebius_canal_surface(py::module_& module) {
       "is "
       "the law. If the radius is a rational function the result is that of canal_surface; "
       "otherwise "
-      "it has no exact offsets, and no corners. Raises GeometryError.");
+      "it has no exact offsets, and no corners. Raises GeometryError.\n\n"
+      ">>> spine = pn.Curve.bezier([[0, 0, 0], [0, 0, 10]])\n"
+      ">>> pn.moebius_canal_surface(spine, pn.Law.bezier([1, 2, 1])).has_offsets\n"
+      "False\n"
+      ">>> pn.moebius_canal_surface(spine, pn.Law.bezier([1, 2, 4])).has_offsets\n"
+      "True");
   module.def(
       "moebius_canal_surface",
       [](const Array& curve) {

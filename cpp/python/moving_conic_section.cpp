@@ -65,5 +65,9 @@ void define_moving_conic_section(py::module_& module) {
       "of "
       "the conics x^2 = 2 R z - (1 + K) z^2, x to the side and z upwards from the spine, as far as "
       "z = h: radius of curvature in mm, conic constant, depth in mm. There are no exact offsets. "
-      "Raises GeometryError, and ValueError for arguments that do not fit together.");
+      "Raises GeometryError, and ValueError for arguments that do not fit together.\n\n"
+      ">>> spine = pn.Curve.bezier([[0, 0, 0], [10, 0, 0]])\n"
+      ">>> half_axes = pn.Law.constant(2), pn.Law.constant(1)\n"
+      ">>> pn.moving_conic_section(spine, up=[0, 0, 1], half_axes=half_axes).degree\n"
+      "(1, 2)");
 }

@@ -179,7 +179,8 @@ void define_cancellation(py::module_& module) {
                                "One request to stop a computation, from any thread.")
       .def(py::init<>())
       .def("request", &pn::Cancellation::request, "Has the work stop soon.")
-      .def_property_readonly("is_requested", &pn::Cancellation::is_requested)
+      .def_property_readonly("is_requested", &pn::Cancellation::is_requested,
+                             "Whether the work has been asked to stop.")
       .def(
           "run",
           [](pn::Cancellation& cancellation, const py::function& work) {
@@ -271,9 +272,11 @@ void define_outputs(py::module_& module) {
   using ParameterCurve = pn::ParameterCurve;
   py::class_<ParameterCurve>(module, "ParameterCurve",
                              "A clamped B-spline curve in the parameter plane of a face.")
-      .def_readonly("degree", &ParameterCurve::degree)
-      .def_readonly("multiplicities", &ParameterCurve::multiplicities)
-      .def_property_readonly("knots", [](const ParameterCurve& c) { return array_of(c.knots); })
+      .def_readonly("degree", &ParameterCurve::degree, "That of its polynomials.")
+      .def_readonly("multiplicities", &ParameterCurve::multiplicities, "One for each knot.")
+      .def_property_readonly(
+          "knots", [](const ParameterCurve& c) { return array_of(c.knots); },
+          "Strictly increasing.")
       .def_property_readonly(
           "poles",
           [count](const ParameterCurve& c) {
@@ -288,12 +291,14 @@ void define_outputs(py::module_& module) {
       module, "BSplineSurface",
       "A face: a clamped rational B-spline surface. u runs along the spine, v around "
       "it; S_u x S_v points along the normal, on elliptic paraboloids against it.")
-      .def_readonly("u_degree", &Surface::u_degree)
-      .def_readonly("v_degree", &Surface::v_degree)
-      .def_readonly("u_multiplicities", &Surface::u_multiplicities)
-      .def_readonly("v_multiplicities", &Surface::v_multiplicities)
-      .def_property_readonly("u_knots", [](const Surface& s) { return array_of(s.u_knots); })
-      .def_property_readonly("v_knots", [](const Surface& s) { return array_of(s.v_knots); })
+      .def_readonly("u_degree", &Surface::u_degree, "Along u.")
+      .def_readonly("v_degree", &Surface::v_degree, "Along v.")
+      .def_readonly("u_multiplicities", &Surface::u_multiplicities, "One for each u-knot.")
+      .def_readonly("v_multiplicities", &Surface::v_multiplicities, "One for each v-knot.")
+      .def_property_readonly(
+          "u_knots", [](const Surface& s) { return array_of(s.u_knots); }, "Strictly increasing.")
+      .def_property_readonly(
+          "v_knots", [](const Surface& s) { return array_of(s.v_knots); }, "Strictly increasing.")
       .def_property_readonly(
           "poles",
           [count](const Surface& s) {
@@ -347,13 +352,15 @@ void define_outputs(py::module_& module) {
   py::class_<pn::Certificate>(module, "Certificate", "What is proved of the exported faces.")
       .def_readonly("deviation", &pn::Certificate::deviation,
                     "Proven bound on the distance of the faces to the true envelope, in mm.")
-      .def_readonly("precision_bits", &pn::Certificate::precision_bits)
+      .def_readonly("precision_bits", &pn::Certificate::precision_bits,
+                    "Of the balls that were needed.")
       .def_readonly("exact", &pn::Certificate::exact,
                     "Nothing of the input was fitted or closed up.")
-      .def_property_readonly("bidegree",
-                             [](const pn::Certificate& c) { return tuple_of(c.bidegree); })
-      .def_readonly("poles", &pn::Certificate::poles)
-      .def_readonly("notes", &pn::Certificate::notes)
+      .def_property_readonly(
+          "bidegree", [](const pn::Certificate& c) { return tuple_of(c.bidegree); },
+          "The largest (degree in u, degree in v) of a face.")
+      .def_readonly("poles", &pn::Certificate::poles, "Number of poles of all faces.")
+      .def_readonly("notes", &pn::Certificate::notes, "What else was done, in sentences.")
       .def_readonly("trim_deviation", &pn::Certificate::trim_deviation,
                     "Distance of the edges of trimmed faces from the true boundary, in mm: "
                     "measured, not proven. Zero for whole faces.");
@@ -364,7 +371,8 @@ void define_surface(py::module_& module) {
   py::class_<pn::PNSurface>(module, "PNSurface", "An exact surface with rational unit normals.")
       .def("offset", &pn::PNSurface::offset, py::arg("d"),
            "The surface at distance + d, in mm, on the side of the normal for d > 0. Cheap.")
-      .def_property_readonly("distance", &pn::PNSurface::distance)
+      .def_property_readonly("distance", &pn::PNSurface::distance,
+                             "From the surface that was made first, in mm.")
       .def_property_readonly("has_offsets", &pn::PNSurface::has_offsets,
                              "Surfaces at other distances than zero are rational.")
       .def_property_readonly(
@@ -433,7 +441,11 @@ void define_surface(py::module_& module) {
       py::arg("spine"), py::arg("radius"), Release(),
       "The envelope of spheres of radius r(t) along the spine m(t): x = m + r n with n.m' + r' = "
       "0. "
-      "Its normal points away from the spine. Raises GeometryError.");
+      "Its normal points away from the spine. Raises GeometryError.\n\n"
+      ">>> spine = pn.Curve.bezier([[0, 0, 0], [10, 0, 0], [10, 10, 0]])\n"
+      ">>> pipe = pn.canal_surface(spine, pn.Law.bezier([1, 2, 1]))\n"
+      ">>> pipe.certificate.bidegree, pipe.certificate.deviation < 1e-13\n"
+      "((8, 4), True)");
 
   module.def(
       "ruled_surface",
@@ -442,7 +454,11 @@ void define_surface(py::module_& module) {
       "The surface whose rulings join points of equal parameter, between the curves; the domain of "
       "the second is mapped to that of the first. With c(t, v) from curve_a (v = 0) to curve_b (v "
       "= "
-      "1) its normal is on the side of c_t x c_v. Raises GeometryError.");
+      "1) its normal is on the side of c_t x c_v. Raises GeometryError.\n\n"
+      ">>> a = pn.Curve.bezier([[0, 0, 0], [10, 0, 0]])\n"
+      ">>> b = pn.Curve.bezier([[0, 10, 0], [10, 10, 10]])\n"
+      ">>> pn.ruled_surface(a, b).offset(1).degree\n"
+      "(5, 4)");
 
   module.def(
       "cone_envelope",
@@ -452,7 +468,11 @@ void define_surface(py::module_& module) {
       },
       py::arg("centres_a"), py::arg("radii_a"), py::arg("centres_b"), py::arg("radii_b"), Release(),
       "The envelope of the cones of revolution that touch the spheres of equal parameter, between "
-      "both: the sheet whose normal is on the side of c_t x c_v. Raises GeometryError.");
+      "both: the sheet whose normal is on the side of c_t x c_v. Raises GeometryError.\n\n"
+      ">>> a = pn.Curve.bezier([[0, 0, 0], [10, 0, 0]])\n"
+      ">>> b = pn.Curve.bezier([[0, 10, 0], [10, 10, 10]])\n"
+      ">>> pn.cone_envelope(a, pn.Law.constant(1), b, pn.Law.constant(2)).degree\n"
+      "(5, 4)");
 
   module.def(
       "quadric",
@@ -470,7 +490,10 @@ void define_surface(py::module_& module) {
       "(d > 0 away from the axis), \"hyperbolic_paraboloid\" z = c (x^2/a^2 - y^2/b^2) (d > 0 "
       "upwards). bounds of the base surface: {\"x\": (lo, hi), \"y\": ..., \"z\": ..., \"angle\": "
       "...}, "
-      "each optional, in mm and radians about z. Raises GeometryError.");
+      "each optional, in mm and radians about z. Raises GeometryError.\n\n"
+      ">>> lower, upper = pn.quadric(\"ellipsoid\", 3, 2, 1).regular_range\n"
+      ">>> round(lower, 6), upper\n"
+      "(-0.333333, inf)");
 }
 
 }  // namespace

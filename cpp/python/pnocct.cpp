@@ -280,7 +280,12 @@ PYBIND11_MODULE(pnocct, m) {
   m.def("capped_solid", &capped_solid, "faces"_a,
         "Return the solid inside the shell of the faces, its open ends closed by planar faces.\n\n"
         "Faces of several parts give a compound of solids. Raises ValueError when an open end is\n"
-        "not planar or not closed.");
+        "not planar or not closed.\n\n"
+        ">>> spine = pn.Curve.bezier([[0, 0, 0], [0, 0, 10]])\n"
+        ">>> pipe = pn.canal_surface(spine, pn.Law.constant(2))\n"
+        ">>> solid = pnocct.capped_solid(pipe.bsplines())\n"
+        ">>> round(pnocct.volume(solid), 9)\n"
+        "125.663706144");
   m.def(
       "domed_solid", &domed_solid, "faces"_a,
       "Return the solid inside the shell of the faces, its open ends closed by parts of "

@@ -218,7 +218,12 @@ void define_translational_spheres(py::module_& module) {
              py::arg("curve_d"), py::call_guard<py::gil_scoped_release>(),
              "The family whose spheres have the centres m_c(u) + m_d(v) and the radii r_c(u) + "
              "r_d(v), of two SphereSplines of degree 1 or 2. Raises GeometryError where it has no "
-             "real envelope, and where a curve has a corner.");
+             "real envelope, and where a curve has a corner.\n\n"
+             ">>> c = pn.SphereSpline.bezier([[0, 0, 0, 2], [10, 0, 5, 1], [20, 0, 0, 2]])\n"
+             ">>> d = pn.SphereSpline.bezier([[0, 0, 0, 0], [0, 20, 0, 0]])\n"
+             ">>> outer, inner = pn.sphere_family_translational(c, d).skins\n"
+             ">>> outer.offset(0.5).degree\n"
+             "(1, 6)");
 }
 
 void define_powell_sabin_family(py::module_& module) {
@@ -301,7 +306,10 @@ void define_classifiers(py::module_& module) {
       "The kind of the family of six spheres (6, 4), with or without a real envelope, decided "
       "exactly: the affine classes of 'family', 'centres' and 'radius' by their names in D. "
       "Gruber's table, as '4-2-1', and the type of the 'net' of normal lines at infinity, as "
-      "'hyperbolic S/P', or None when they lie in no net. Raises GeometryError.");
+      "'hyperbolic S/P', or None when they lie in no net. Raises GeometryError.\n\n"
+      ">>> flat = [[x, y, 0, 1] for x, y in [(0, 0), (5, 0), (10, 0), (0, 5), (5, 5), (0, 10)]]\n"
+      ">>> pn.classify_family(flat)[\"radius\"]\n"
+      "'0-0'");
 }
 
 }  // namespace

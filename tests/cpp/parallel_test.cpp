@@ -1,10 +1,32 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/algebra/parallel.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+namespace {
+
+/// An error that counts how many of it live, and the most that ever did.
+class CountedError : public std::runtime_error {
+ public:
+  CountedError(std::atomic<int>& living, std::atomic<int>& most)
+      : std::runtime_error("counted"), living_(living) {
+    most = std::max<int>(most, ++living_);
+  }
+  CountedError(const CountedError& other) : std::runtime_error(other), living_(other.living_) {
+    ++living_;
+  }
+  ~CountedError() override { --living_; }
+
+ private:
+  std::atomic<int>& living_;
+};
+
+}  // namespace
 
 TEST_CASE("Every index is worked on exactly once") {
   for (const std::size_t count : {0u, 1u, 2u, 1000u}) {
@@ -25,6 +47,16 @@ TEST_CASE("The error of the least index is thrown, whatever the threads did firs
       CHECK(error.what() == std::string("3"));
     }
   }
+}
+
+TEST_CASE("Of many errors few live at a time") {
+  // Without memory the C++ runtime has room for some hundreds, and ends the process beyond it.
+  std::atomic<int> living{0}, most{0};
+  CHECK_THROWS_AS(pn::for_each_index(5000, [&](std::size_t) { throw CountedError(living, most); }),
+                  CountedError);
+  CHECK(living == 0);
+  CHECK(most >= 1);
+  CHECK(most <= 200);
 }
 
 TEST_CASE("Blocks leave no index out, and none twice") {

@@ -2,8 +2,9 @@
 """Random surfaces of every shape, and how far their exported points are from the true surface.
 
 The certificate is held to account by the definitions of canal.py, rulings.py, quadrics.py,
-sphere_families.py and sphere_translations.py: from the exported doubles back to the spheres, lines
-or the equation, at 60 digits. Nothing of the kernel's construction takes part.
+sphere_families.py, sphere_translations.py, powell_sabin.py, mirrors.py and quadratic_cones.py: from
+the exported doubles back to the spheres, lines or the equation, at 60 digits. Nothing of the
+kernel's construction takes part.
 
 The surfaces are biased to what is degenerate or badly scaled: straight spines, constant radii, equal
 half-axes, poles on a coarse grid, weights that differ by thousands, sizes from a micrometre to a
@@ -19,6 +20,9 @@ import numpy as np
 import pnkernel as pn
 from mpmath import mpf
 from canal import Canal, random_canal
+from mirrors import Mirror, ParallelLight, PointLight, random_mirror, reflected
+from powell_sabin import control_spheres, dome, pieces
+from quadratic_cones import random_cones
 from quadrics import bounded_kinds, quadric
 from rulings import Cones, random_pair
 from sphere_families import Family, random_spheres
@@ -33,13 +37,15 @@ GAUSS_NEWTON_STEPS, NEWTON_STEPS = 6, 30
 # another one by chance.
 STARTS = ((1 / 3, 1 / 3), (1.5, 0), (0, 1.5), (-0.5, -0.5), (1.5, 1.5))
 NEAR = 1e-6
+# What is this near [mm] is on the surface itself, up to rounding.
+ROUNDED = 1e-11
 
 
 @dataclass(frozen=True)
 class Specimen:
-    """A surface of the kernel and error(point, u), how far a point is from what it should be [mm].
+    """A surface of the kernel and error(point, u, v), how far a point is from what it should be [mm].
 
-    u is the point's first parameter on its face: where to begin to look.
+    (u, v) is its place on its face: where to begin to look.
     """
 
     surface: Any
@@ -56,7 +62,7 @@ class Specimen:
         for _ in range(count):
             face = faces[random.integers(len(faces))]
             place = _place_on(face, random)
-            error = self.error(surface_point(face, *place), place[0])
+            error = self.error(surface_point(face, *place), *place)
             if error < NEAR or is_on_face(face, place):
                 errors.append(error)
         return float(max(errors, default=0))
@@ -107,7 +113,7 @@ def canal(random):
     surface = pipe.surface().offset(size * random.choice([0.0, random.uniform(-1, 1)]))
     distance = surface.distance
 
-    def error(point, u):
+    def error(point, u, _):
         try:
             return pipe.distance(point, distance, u, spine.span_at(u))
         except ArithmeticError:  # where D has odd real roots the faces have another parameter
@@ -138,7 +144,7 @@ def _along_rulings(centres, radii, random):
     family = Cones(tuple(splines[:2]), tuple(splines[2:]))
     surface = family.surface().offset(size * random.choice([0.0, random.uniform(-0.5, 0.75)]))
 
-    def error(point, u):
+    def error(point, u, _):
         span = family.centres[0].span_at(u)
         return abs(family.contact(point, surface.distance, u, span)[2] - surface.distance)
 
@@ -160,7 +166,7 @@ def quadrics(random):
     surface, definition = quadric(kind, a, b, c, bounds)
     surface = surface.offset(size * random.choice([0.0, random.uniform(-0.1, 0.25)]))
 
-    def error(point, _):
+    def error(point, *_):
         return abs(definition.contact(point, surface.distance)[1] - surface.distance)
 
     return Specimen(surface, error)
@@ -168,14 +174,93 @@ def quadrics(random):
 
 def skins(random):
     spheres = random_spheres(random, dome=random.random() < 0.7)
-    family, sign = Family.of(spheres), random.choice([OUTER, INNER])
-    surface = _skin(pn.sphere_family(spheres), sign, random)
+    surface = _skin(pn.sphere_family(spheres), random.choice([OUTER, INNER]), random)
+    return Specimen(surface, _from_spheres(_jet_of(Family.of(spheres)), surface.distance))
+
+
+def triangulated_skins(random):
+    """Over two triangles, in any position."""
+    points, radii, derivatives, triangles = dome(1)
+    points = points[:, :2] + random.uniform(-20, 20, (4, 2))
+    heights = np.column_stack([points, random.uniform(-8, 8, 4)])
+    derivatives = derivatives + random.uniform(-0.1, 0.1, derivatives.shape) * [0, 0, 1, 0.1]
+    radii = radii + random.uniform(-0.5, 0.5, 4) * random.integers(2)
+    turn, _ = np.linalg.qr(random.normal(size=(3, 3)))
+    centres = heights @ turn.T
+    derivatives[:, :, :3] = derivatives[:, :, :3] @ turn.T
+    family = pn.sphere_family_powell_sabin(centres, radii, derivatives, triangles, parameters=points)
+    surface = _skin(family, random.choice([OUTER, INNER]), random)
+    parts = zip(*pieces(points, np.column_stack([centres, radii]), derivatives, triangles,
+                        family.pieces[0]), strict=True)
+    errors = [_from_spheres(_jet_of(Family(control_spheres(*part))), surface.distance)
+              for part in parts]
+
+    def error(point, u, v):
+        # Faces are in the order of the parts, over [i, i + 1]; a part may have more than one. Beside
+        # a common edge the smooth continuation of the neighbour is near, but not the surface.
+        found = []
+        for i in sorted(range(len(errors)), key=lambda i: abs(i + 0.5 - u)):
+            found.append(errors[i](point, u, v))
+            if found[-1] < ROUNDED:
+                break
+        return min(found)
+
+    return Specimen(surface, error)
+
+
+def envelopes(random):
+    """Parts of the envelope of quadratic spheres, over their normals."""
+    x, y, z, r = random.uniform(-0.05, 0.05, (4, 6)) * [50, 5, 5, 3, 5, 3]
+    x[1], y[2] = random.uniform(30, 60, 2)
+    z[3], z[5] = random.uniform(3, 6, 2) * random.choice([-1, 1])
+    r[0] = random.uniform(2, 4)
+    family = pn.sphere_family_from_surface([_array(c) for c in (x, y, z)], _array(r))
+    low = random.uniform(-0.1, 0, 2)
+    bounds = [(a, a + random.uniform(0.02, 0.1)) for a in low]
+    skin = family.skin(int(random.integers(2)), bounds)
+    surface = skin.offset(random.choice([0.0, random.uniform(-1, 2)]))
+    control = control_spheres(exactly([[1, 0], [0, 1], [0, 0]]), exactly(np.stack([x, y, z, r], 1)))
+    return Specimen(surface, _from_spheres(_jet_of(Family(control)), surface.distance))
+
+
+def _array(c):
+    """Coefficients of u^i v^j, of those of 1, u, v, u u, u v, v v."""
+    return np.array([[c[0], c[2], c[5]], [c[1], c[4], 0], [c[3], 0, 0]])
+
+
+def _jet_of(family):
     by_uu, by_uv, by_vv = family.second_derivatives()
 
     def jet(u, v):
         return *family.sphere(u, v), by_uu, by_uv, by_vv
 
-    return Specimen(surface, _from_spheres(jet, surface.distance))
+    return jet
+
+
+def wavefronts(random):
+    """Of mirrors in the light of one direction or of a point, so far on their way."""
+    degrees = random.choice([(1, 1), (2, 1), (2, 2), (3, 2)])
+    mirror = random_mirror(random, *map(int, degrees), random.random() < 0.4)
+    if random.random() < 0.7:
+        light = ParallelLight(np.array([*random.uniform(-0.3, 0.3, 2), -1]), random.uniform(5, 9, 3))
+        distance = random.uniform(0, 30)
+    else:
+        light, distance = PointLight(np.array([*random.uniform(0, 8, 2), random.uniform(4, 9)])), 0.0
+    surface = pn.mirror(mirror, **light.arguments()).offset(distance)
+    exact = Mirror.of(mirror)
+
+    def error(point, u, v):
+        # Faces have the parameters of the mirror.
+        return norm(point - reflected(exact, light, mpf(u), mpf(v), mpf(distance)))
+
+    return Specimen(surface, error)
+
+
+def cone_envelopes(random):
+    """Of quadratic cones."""
+    cones = random_cones(random)
+    surface = pn.quadratic_cone_envelope(*cones.arguments())
+    return Specimen(surface, lambda point, *_: cones.distance(point))
 
 
 def translations(random):
@@ -268,7 +353,7 @@ def _nearest(error_from, spine):
     A face has a parameter of its own where the conics are real on an interval only: then other places
     of the spine are tried than its first parameter.
     """
-    def error(point, u):
+    def error(point, u, _):
         found = []
         for start in (u, *np.linspace(spine.knots[0], spine.knots[-1], 9)):
             found.append(error_from(point, start))
@@ -290,7 +375,7 @@ def _from_spheres(jet, distance):
     Where s |x - m| - r is stationary, s the sign of the radius r + d, its value is the distance at
     which x is on a skin.
     """
-    def error(point, _):
+    def error(point, *_):
         return min(_distances(point, jet, mpf(distance)), default=np.inf)
 
     return error
@@ -344,4 +429,5 @@ def _stationary_value(point, side, jet, u, v):
 
 
 SHAPES = {shape.__name__: shape for shape in
-          (canal, ruled, cones, quadrics, skins, translations, sections, squared_radii)}
+          (canal, ruled, cones, quadrics, skins, triangulated_skins, envelopes, translations, sections,
+           squared_radii, wavefronts, cone_envelopes)}

@@ -6,6 +6,7 @@ import time
 
 import numpy as np
 import pnkernel as pn
+import pnocct
 import pytest
 
 
@@ -30,6 +31,19 @@ def test_errors_pass_through():
         pn.Cancellation().run(lambda: pn.quadric("ellipsoid", 0, 1, 1))
     with pytest.raises(ZeroDivisionError):
         pn.Cancellation().run(lambda: 1 / 0)
+
+
+def test_the_work_of_opencascade_stops():
+    """Another module than the one of the request throws, and this one has to know what."""
+    cancellation = pn.Cancellation()
+    faces = pn.canal_surface(long_spine(3), pn.Law.constant(0.5)).bsplines()
+
+    def work():
+        cancellation.request()
+        pnocct.shell(faces)
+
+    with pytest.raises(pn.Cancelled, match="The computation was cancelled."):
+        cancellation.run(work)
 
 
 def test_a_long_computation_stops():

@@ -7,11 +7,13 @@ import re
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+DOCS = ROOT / "docs"
+PAGES = [*sorted(ROOT.glob("*.md")), *sorted(DOCS.glob("*.md"))]
 
 # Blocks marked "python freecad" need FreeCAD.
 PYTHON_BLOCK = re.compile(r"^```python\n(.*?)^```$", re.DOTALL | re.MULTILINE)
-LOCAL_LINK = re.compile(r"\]\((?!https?:)([^)#\s]+)")
+LOCAL_LINK = re.compile(r"\]\((?!https?:)([^)#\s]*)(?:#([^)\s]+))?\)")
+HEADING = re.compile(r"^#+ (.+)$", re.MULTILINE)
 
 
 def name(page):
@@ -32,7 +34,26 @@ def test_python_block_runs(page, line, source):
     exec(code, {"__name__": "__main__"})
 
 
+def links(page):
+    """(file, anchor or "") of every link to a file of the project."""
+    for target, anchor in LOCAL_LINK.findall(page.read_text(encoding="utf-8")):
+        yield (page.parent / target).resolve() if target else page, anchor
+
+
+def anchors(page):
+    """The names by which the headings of a page can be linked to."""
+    headings = HEADING.findall(page.read_text(encoding="utf-8"))
+    return {re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
 @pytest.mark.parametrize("page", PAGES, ids=name)
 def test_links_lead_somewhere(page):
-    for target in LOCAL_LINK.findall(page.read_text(encoding="utf-8")):
-        assert (page.parent / target).exists(), f"{name(page)} links to {target}"
+    for target, anchor in links(page):
+        assert target.exists(), f"{name(page)} links to {target}"
+        assert not anchor or anchor in anchors(target), f"{name(page)} links to #{anchor}"
+
+
+def test_every_page_and_picture_is_linked_to():
+    linked = {target for page in PAGES for target, _ in links(page)}
+    unlinked = {*DOCS.glob("*.md"), *(DOCS / "images").iterdir()} - linked
+    assert {file.name for file in unlinked} == set()

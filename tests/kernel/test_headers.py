@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every header of the C++ library has a test of its name, and a line in docs/headers.md."""
+"""Every header of the C++ library has a test, a line in docs/headers.md, and names of its own."""
 
+import collections
 import pathlib
+import re
 import sys
 
 import pytest
@@ -46,3 +48,13 @@ def test_header_is_listed(header):
 
 def test_nothing_else_is_listed():
     assert list_headers.PAGE.read_text(encoding="utf-8") == list_headers.page()
+
+
+def test_no_type_is_defined_twice():
+    """Two of one name would be the same to the linker, and to a catch in another module."""
+    definition = re.compile(r"^(?:enum )?(?:class|struct) (\w+)[^;]*\{", re.MULTILINE)
+    names = collections.Counter(
+        found for header in HEADERS for found in definition.findall(header.read_text("utf-8"))
+    )
+    assert names
+    assert [name for name, count in names.items() if count > 1] == []

@@ -14,6 +14,7 @@ import numpy as np
 import pnkernel as pn
 import pytest
 import sympy
+from mirrors import bezier, random_mirror
 from test_errors import refused
 
 EXAMPLES = json.loads((Path(__file__).parent / "data" / "planes_and_mirrors.json").read_text())
@@ -69,19 +70,6 @@ def patch(point, weight=sympy.Integer(1)):
         padded[: a.shape[0], : a.shape[1]] = a
         poles.append(matrix(m) @ padded @ matrix(n).T)
     return bezier(np.stack(poles[:3], axis=-1) / poles[3][..., None], poles[3])
-
-
-def bezier(poles, weights=None):
-    m, n = (count - 1 for count in np.shape(poles)[:2])
-    return SimpleNamespace(
-        u_degree=m, v_degree=n, u_knots=[0, 1], v_knots=[0, 1], u_multiplicities=[m + 1, m + 1],
-        v_multiplicities=[n + 1, n + 1], poles=np.asarray(poles), weights=weights)
-
-
-def random_mirror(random, m, n, is_rational):
-    x, y = np.meshgrid(np.linspace(0, 10, m + 1), np.linspace(0, 8, n + 1), indexing="ij")
-    poles = np.stack([x, y, random.uniform(0, 1, x.shape)], axis=-1)
-    return bezier(poles, random.uniform(0.8, 1.3, x.shape) if is_rational else None)
 
 
 def bernstein_basis(degree, t):

@@ -5,7 +5,7 @@ import numpy as np
 import pnkernel as pn
 import pnocct
 import pytest
-from powell_sabin import dome, solved, sphere_at
+from powell_sabin import dome, pieces, sphere_at
 from sphere_families import Family
 from splines import norm, surface_point
 from test_errors import refused
@@ -19,12 +19,8 @@ def oracle(data, family):
     """The coefficients (6 m, 6, 4) of all pieces, by the conditions."""
     centres, radii, derivatives, triangles = data
     spheres = np.column_stack([centres, radii])
-    corners, _ = family.pieces
-    parts = []
-    for t, triangle in enumerate(triangles):
-        numbers = {tuple(centres[n, :2]): n for n in triangle}
-        parts.extend(solved(corners[6 * t:6 * t + 6], numbers, spheres, derivatives))
-    return np.array(parts)
+    _, parts = pieces(centres[:, :2], spheres, derivatives, triangles, family.pieces[0])
+    return parts.astype(float)
 
 
 @pytest.mark.parametrize("seed", range(3))

@@ -32,24 +32,23 @@ def succeeded(*command, cwd=ROOT):
         sys.exit(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}")
 
 
-def copy_of_last_commit(source):
+def copy_last_commit(folder):
     """A work tree at HEAD, without what an interrupted run has left broken in it."""
-    if not source.exists():
-        succeeded("git", "clone", "--quiet", "--no-checkout", ROOT, source)
+    if not folder.exists():
+        succeeded("git", "clone", "--quiet", "--no-checkout", ROOT, folder)
     head = run("git", "rev-parse", "HEAD").stdout.strip()
-    succeeded("git", "fetch", "--quiet", "origin", "HEAD", cwd=source)
-    succeeded("git", "checkout", "--quiet", "--force", "--detach", head, cwd=source)
+    succeeded("git", "fetch", "--quiet", "origin", "HEAD", cwd=folder)
+    succeeded("git", "checkout", "--quiet", "--force", "--detach", head, cwd=folder)
 
 
 class Copy:
     """The copy, its build and its tests."""
 
     def __init__(self, folder):
-        self._source, self._build = folder / "source", folder / "build"
-        folder.mkdir(parents=True, exist_ok=True)
-        copy_of_last_commit(self._source)
+        self._folder, self._build = folder, folder / "build"
+        copy_last_commit(folder)
         if not (self._build / "build.ninja").exists():
-            succeeded("cmake", "--preset", "release", "-B", self._build, cwd=self._source)
+            succeeded("cmake", "--preset", "release", cwd=folder)
         self._compile()
 
     def _compile(self):
@@ -60,7 +59,7 @@ class Copy:
 
     def survives(self, mutation):
         """Whether the tests pass with the broken formula, too. Without it they do."""
-        file = self._source / mutation.file
+        file = self._folder / mutation.file
         whole = file.read_text()
         if whole.count(mutation.text) != 1:
             sys.exit(f"{mutation.file} does not hold once: {mutation.text}")

@@ -12,11 +12,9 @@ from pnsurfaces.feature import (
     FeatureBase,
     Property,
     make_feature,
-    result,
     show_only,
 )
 from pnsurfaces.linked_shape import as_link, circle_through
-from pnsurfaces.position import MEASURES
 from pnsurfaces.radius_law import (
     BEZIER_COEFFICIENTS,
     CONSTANT,
@@ -35,7 +33,8 @@ from pnsurfaces.shape import (
     uncapped_solid_of_sections,
 )
 from pnsurfaces.spine import read_spine
-from pnsurfaces.spline_fit import FIT_TOLERANCE, deviation_of
+from pnsurfaces.spine_properties import FIT_DEVIATION, fit_tolerance, position_by
+from pnsurfaces.spline_fit import deviation_of
 
 GROUP = "Canal surface"
 HOLLOW_GROUP = "Hollow pipe"
@@ -83,9 +82,7 @@ class CanalSurface(FeatureBase):
                  QT_TRANSLATE_NOOP("App::Property",
                                    "Radii at the vertices or positions, or Bezier coefficients,"
                                    " in mm")),
-        Property("App::PropertyEnumeration", "PositionBy", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "What positions on the spine count"),
-                 MEASURES),
+        position_by(GROUP),
         Property("App::PropertyFloatList", "Positions", GROUP,
                  QT_TRANSLATE_NOOP("App::Property",
                                    "Positions of the radii on the spine, arc lengths in mm")),
@@ -95,11 +92,7 @@ class CanalSurface(FeatureBase):
                                    " as 2 mm + 0.5 mm * sin(2*pi*s)")),
         Property("App::PropertyLinkSub", "Profile", GROUP,
                  QT_TRANSLATE_NOOP("App::Property", "Edges that the pipe runs through")),
-        # The property editor would show it as 0.00.
-        Property("App::PropertyLength", "FitTolerance", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "How far a fit may be from what has no exact form"),
-                 FIT_TOLERANCE),
+        fit_tolerance(GROUP),
         Property("App::PropertyEnumeration", "Hollow", HOLLOW_GROUP,
                  QT_TRANSLATE_NOOP("App::Property", "Whether the pipe is hollow, and how its wall"
                                    " is given"),
@@ -113,10 +106,7 @@ class CanalSurface(FeatureBase):
         Property("App::PropertyEnumeration", "Caps", GROUP,
                  QT_TRANSLATE_NOOP("App::Property", "How the ends of a solid are closed"),
                  list(CAPS)),
-        result("App::PropertyString", "FitDeviation",
-               QT_TRANSLATE_NOOP("App::Property",
-                                 "How far fits are off, part of the deviation; proven or"
-                                 " measured")),
+        FIT_DEVIATION,
     )
 
     def base(self, obj):

@@ -9,7 +9,7 @@ except ImportError:
     # FreeCAD 0.20 keeps the widgets in QtGui.
     QtWidgets = QtGui
 
-__all__ = ["QtCore", "QtGui", "QtWidgets", "connect", "number_of"]
+__all__ = ["QtCore", "QtGui", "QtWidgets", "connect", "is_alive", "number_of"]
 
 
 def connect(widget, signal, slot):
@@ -19,6 +19,16 @@ def connect(widget, signal, slot):
     in PySide 5.15 under Python 3.11, to be mistaken for a later widget at the same address.
     """
     QtCore.QObject.connect(widget, QtCore.SIGNAL(signal), slot)
+
+
+def is_alive(widget):
+    """Whether Qt has deleted neither a widget nor anything in it."""
+    try:
+        for part in [widget, *widget.findChildren(QtCore.QObject)]:
+            part.objectName()
+    except RuntimeError:
+        return False
+    return True
 
 
 def number_of(flag):

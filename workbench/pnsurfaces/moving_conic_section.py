@@ -14,11 +14,9 @@ from pnsurfaces.feature import (
     FeatureWithoutOffsets,
     Property,
     make_feature,
-    result,
     show_only,
 )
 from pnsurfaces.linked_shape import as_link
-from pnsurfaces.position import MEASURES
 from pnsurfaces.section_law import (
     ELLIPSE,
     FROM_THE_VERTEX,
@@ -30,7 +28,8 @@ from pnsurfaces.section_law import (
     values_of_law,
 )
 from pnsurfaces.spine import read_spine
-from pnsurfaces.spline_fit import FIT_TOLERANCE, deviation_of
+from pnsurfaces.spine_properties import FIT_DEVIATION, fit_tolerance, position_by
+from pnsurfaces.spline_fit import deviation_of
 
 GROUP = "Moving conic section"
 
@@ -123,9 +122,7 @@ class MovingConicSection(FeatureWithoutOffsets):
                  QT_TRANSLATE_NOOP("App::Property",
                                    "How high a section goes above its vertex, at the end"),
                  1.0),
-        Property("App::PropertyEnumeration", "PositionBy", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "What positions on the spine count"),
-                 MEASURES),
+        position_by(GROUP),
         Property("App::PropertyFloatList", "Positions", GROUP,
                  QT_TRANSLATE_NOOP("App::Property",
                                    "Positions of the rows of the table on the spine, arc lengths in"
@@ -163,15 +160,8 @@ class MovingConicSection(FeatureWithoutOffsets):
                  QT_TRANSLATE_NOOP("App::Property",
                                    "How high a section goes above its vertex by the position s and"
                                    " the length L of the spine, such as 10 mm")),
-        # The property editor would show it as 0.00.
-        Property("App::PropertyLength", "FitTolerance", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "How far a fit may be from what has no exact form"),
-                 FIT_TOLERANCE),
-        result("App::PropertyString", "FitDeviation",
-               QT_TRANSLATE_NOOP("App::Property",
-                                 "How far fits are off, part of the deviation; proven or"
-                                 " measured")),
+        fit_tolerance(GROUP),
+        FIT_DEVIATION,
     )
 
     def base(self, inputs):

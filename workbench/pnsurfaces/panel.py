@@ -6,7 +6,7 @@ import FreeCADGui
 
 from pnsurfaces import resources
 from pnsurfaces.choice_names import shown_choice
-from pnsurfaces.compat import QtGui, QtWidgets, connect
+from pnsurfaces.compat import QtGui, QtWidgets, connect, is_alive
 from pnsurfaces.feature import SOLID, VALID
 from pnsurfaces.offset_rows import NoOffsetRows, OffsetRows
 from pnsurfaces.preview import Preview
@@ -21,8 +21,13 @@ _STYLES = {"Error": "color: #e01b24", "Warning": "color: #c86400"}
 
 
 def load_form(name):
-    """The widget of resources/ui/<name>.ui."""
-    return FreeCADGui.PySideUic.loadUi(resources.form(name))
+    """The widget of resources/ui/<name>.ui.
+
+    PySide 5.15 takes the Python half of a deleted widget for that of a later one at the same address,
+    as long as somebody holds it. Such a form is left where it is, so that the next one lies elsewhere.
+    """
+    form = FreeCADGui.PySideUic.loadUi(resources.form(name))
+    return form if is_alive(form) else load_form(name)
 
 
 def title(link):

@@ -16,9 +16,9 @@ from pnsurfaces.feature import (
     show_only,
 )
 from pnsurfaces.linked_shape import as_link
-from pnsurfaces.position import MEASURES
 from pnsurfaces.radius_law import BEZIER_COEFFICIENTS, CONSTANT, EXPRESSION, LINEAR, TABLE
-from pnsurfaces.spline_fit import FIT_TOLERANCE, deviation_of
+from pnsurfaces.spine_properties import FIT_DEVIATION, fit_tolerance, position_by
+from pnsurfaces.spline_fit import deviation_of
 from pnsurfaces.squared_radius_law import INPUTS_OF_LAW, squared_radius_law
 
 GROUP = "Canal surface from r²"
@@ -43,9 +43,7 @@ class SquaredRadiusCanal(FeatureBase):
                  QT_TRANSLATE_NOOP("App::Property",
                                    "Squared radii at the positions, or Bezier coefficients, in"
                                    " mm^2")),
-        Property("App::PropertyEnumeration", "PositionBy", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "What positions on the spine count"),
-                 MEASURES),
+        position_by(GROUP),
         Property("App::PropertyFloatList", "Positions", GROUP,
                  QT_TRANSLATE_NOOP("App::Property",
                                    "Positions of the squared radii on the spine, arc lengths in"
@@ -54,15 +52,8 @@ class SquaredRadiusCanal(FeatureBase):
                  QT_TRANSLATE_NOOP("App::Property",
                                    "Squared radius by the position s and the length L of the"
                                    " spine, such as 4 mm^2 + 5 mm^2 * sin(pi*s)")),
-        # The property editor would show it as 0.00.
-        Property("App::PropertyLength", "FitTolerance", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "How far a fit may be from what has no exact form"),
-                 FIT_TOLERANCE),
-        result("App::PropertyString", "FitDeviation",
-               QT_TRANSLATE_NOOP("App::Property",
-                                 "How far fits are off, part of the deviation; proven or"
-                                 " measured")),
+        fit_tolerance(GROUP),
+        FIT_DEVIATION,
         result("App::PropertyBool", "RationalRadius",
                QT_TRANSLATE_NOOP("App::Property",
                                  "Whether the radius itself is rational, so that offsets are exact")),

@@ -8,8 +8,8 @@
 namespace pn {
 
 /// work(i) for i = 0 .. count - 1, on as many threads as there are. When some of them throw, the
-/// exception of the least i is thrown, whatever the threads did first. Throws Cancelled when the
-/// work around was asked to stop.
+/// exception of the least i is thrown, whatever the threads did first; work after it may be left
+/// out. Throws Cancelled when the work around was asked to stop.
 void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work);
 
 /// The same for work so small that it takes `block` of it to be worth another thread.

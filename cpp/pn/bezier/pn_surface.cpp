@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <optional>
 
@@ -22,10 +23,10 @@ std::array<double, 3> unit(const std::array<double, 3>& normal) {
   return {normal[0] / length, normal[1] / length, normal[2] / length};
 }
 
-/// The edges of the faces of a net; they hold for all its sections.
-struct NetTrims {
+/// A net and the edges of its faces, which hold for all its sections.
+struct TrimmedNet {
   std::shared_ptr<const SectionNet> net;
-  std::shared_ptr<const std::vector<TrimmedFace>> faces;
+  std::vector<TrimmedFace> faces;
 };
 
 }  // namespace
@@ -37,28 +38,19 @@ struct PNSurface::Shared {
 
   const std::shared_ptr<const SectionSource> source;
   std::mutex mutex;
-  std::array<std::optional<TrimmableNet>, 2> nets;
-  std::array<NetTrims, 2> edges;
+  std::array<std::map<long, TrimmedNet>, 2> nets;  ///< by their precision
   std::optional<OffsetRange> range;
 
-  /// The net at this precision or a higher one that was needed before.
-  TrimmableNet net(Lines lines, long precision) {
+  /// The net at this precision, or at the least that suffices to make one. A finer net that another
+  /// distance needed is not taken: a section does not depend on what was asked for before.
+  const TrimmedNet& net(Lines lines, long precision) {
     const std::lock_guard<std::mutex> lock(mutex);
-    std::optional<TrimmableNet>& known = nets[index_of(lines)];
-    if (!known || known->net->precision() < precision) known = source->net(lines, precision);
-    return *known;
-  }
-
-  /// The edges of the faces of this net.
-  std::shared_ptr<const std::vector<TrimmedFace>> trimmed_faces(Lines lines,
-                                                                const TrimmableNet& trimmable) {
-    const std::lock_guard<std::mutex> lock(mutex);
-    NetTrims& known = edges[index_of(lines)];
-    if (known.net != trimmable.net) {
-      known = {trimmable.net,
-               std::make_shared<const std::vector<TrimmedFace>>(trimmable.trimmed_faces())};
-    }
-    return known.faces;
+    std::map<long, TrimmedNet>& known = nets[index_of(lines)];
+    if (!known.empty()) precision = std::max(precision, known.begin()->first);
+    const auto found = known.find(precision);
+    if (found != known.end()) return found->second;
+    const TrimmableNet made = source->net(lines, precision);
+    return known.emplace(precision, TrimmedNet{made.net, made.trimmed_faces()}).first->second;
   }
 };
 
@@ -117,9 +109,9 @@ std::shared_ptr<const PNSurface::Section> PNSurface::section(Lines lines) const 
   std::shared_ptr<const Section>& slot = (*sections_)[index_of(lines)];
   if (const auto known = std::atomic_load(&slot)) return known;
   const auto rounded = at_sufficient_precision([&](long precision) {
-    const TrimmableNet trimmable = shared_->net(lines, precision);
-    Section section{trimmable.net->section(distance_), {}, {}, 0, trimmable.net};
-    for (const TrimmedFace& face : *shared_->trimmed_faces(lines, trimmable)) {
+    const TrimmedNet& trimmed = shared_->net(lines, precision);
+    Section section{trimmed.net->section(distance_), {}, {}, 0, trimmed.net};
+    for (const TrimmedFace& face : trimmed.faces) {
       BSplineSurface surface = section.faces[face.net_face].surface;
       section.trim_deviation = std::max(section.trim_deviation, trim_deviation(surface, face));
       surface.trims = curves_of(face);

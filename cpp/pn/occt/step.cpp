@@ -84,7 +84,7 @@ class ProgressIndicator : public Message_ProgressIndicator {
 };
 
 void require_more(const Message_ProgressScope& scope) {
-  if (!scope.More()) throw Cancelled("The export was cancelled.");
+  if (!scope.More()) throw Cancelled();
 }
 
 // The application protocol in OpenCASCADE's own words.

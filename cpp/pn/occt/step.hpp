@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "pn/algebra/cancellation.hpp"
 #include "pn/occt/round_trip.hpp"
 
 namespace pn {
@@ -33,12 +34,6 @@ struct NamedShape {
 /// whether to go on.
 using Progress = std::function<bool(double)>;
 
-/// The work was broken off because `Progress` said so.
-class Cancelled : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// What was written does not come back from the file: a sentence on each difference.
 class RoundTripError : public std::runtime_error {
  public:
@@ -61,7 +56,7 @@ void write_step(const std::filesystem::path& path, const std::vector<NamedShape>
 
 /// The same, but the file is read back first, and appears only when it holds just what was written.
 ///
-/// Throws also RoundTripError and Cancelled.
+/// Throws also RoundTripError, and Cancelled (cancellation.hpp) when `progress` says no.
 StepReport write_verified_step(const std::filesystem::path& path,
                                const std::vector<NamedShape>& shapes,
                                const StepOptions& options = {}, const Progress& progress = {});
