@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """All tests of another folder, and which lines of the workbench they ran. FreeCAD ends without the
 exit handlers of Python, so this is saved as soon as the last test has ended:
-freecadcmd -P tests/workbench -P tests/coverage -t coverage_tests."""
+freecadcmd -P tests/workbench -t coverage_tests."""
 
 import unittest
 

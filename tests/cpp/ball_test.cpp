@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/algebra/ball.hpp"
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <random>
 
 using pn::ComplexBall;
@@ -197,6 +199,41 @@ TEST_CASE("A ball rounds to a double when it is narrower than its last place", "
       CHECK(ball.rounding_error() <= 0x1.001p-52);
     } else {
       CHECK(width > 0x1p-53);
+    }
+  }
+}
+
+TEST_CASE("Numbers of every magnitude are rounded to the nearest double, ties to even", "[ball]") {
+  constexpr int kLeastExponent = -1074, kMostExponent = 971;
+  std::mt19937_64 generator(11);
+  std::uniform_int_distribution<int> exponents(kLeastExponent, kMostExponent);
+  std::uniform_int_distribution<long> mantissas(1, (1L << 53) - 1);
+  const Rational half = Rational(1L) / Rational(2L), third = Rational(1L) / Rational(3L);
+  const Rational most = Rational::exactly(std::numeric_limits<double>::max());
+  for (std::size_t i = 0; i < 2000; ++i) {
+    const std::array ends = {kLeastExponent, kMostExponent, exponents(generator)};
+    const std::array borders = {1L, 2L, (1L << 53) - 1, mantissas(generator)};
+    const int exponent = ends[i % ends.size()];
+    const long mantissa = borders[i % borders.size()];
+    for (const Rational& part : {-half, -third, Rational(0L), third, half}) {
+      const Rational x = (Rational(mantissa) + part) * Rational::exactly(std::ldexp(1.0, exponent));
+      const RealBall ball(x, 200);
+      CAPTURE(exponent, mantissa, part.to_double());
+      const auto nearest = ball.rounded();
+      if (!nearest) {
+        CHECK(most < x);
+        continue;
+      }
+      const int last_place = *nearest == 0 ? kLeastExponent : std::ilogb(*nearest) - 52;
+      const double unit = std::ldexp(1.0, std::max(last_place, kLeastExponent));
+      const Rational difference = Rational::exactly(*nearest) - x;
+      const Rational error = difference.sign() < 0 ? -difference : difference;
+      CHECK_FALSE(Rational::exactly(unit) < error * Rational(2L));
+      CHECK_FALSE(Rational::exactly(ball.rounding_error()) < error);
+      const bool is_tie = (part == half || part == -half) && unit == std::ldexp(1.0, exponent);
+      if (is_tie) {
+        CHECK(std::fmod(std::ldexp(*nearest, -exponent), 2.0) == 0);
+      }
     }
   }
 }

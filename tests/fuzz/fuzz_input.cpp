@@ -35,7 +35,8 @@ constexpr std::array<double, 16> kSpecial = {-0.0,
 
 double FuzzInput::number() {
   const int b = byte();
-  if (b < 224) return (b - 112) / 4.0;
+  if (b < 112) return b / 4.0;
+  if (b < 224) return (111 - b) / 4.0;
   if (b < 240) return (b - 232) + byte() / 256.0;
   if (b < 248) return kSpecial[byte() % kSpecial.size()];
   return bits();

@@ -42,6 +42,13 @@ class FuzzInput {
     return result;
   }
 
+  /// A point near another one.
+  template <std::size_t Dimension>
+  std::array<double, Dimension> point_near(std::array<double, Dimension> centre) {
+    for (double& x : centre) x += number() / 8;
+    return centre;
+  }
+
   std::vector<double> numbers(std::size_t count);
 
   /// Often closed, sometimes rational, seldom no spline at all.

@@ -8,6 +8,10 @@ from mpmath import mpf
 from splines import Spline, norm
 
 NEWTON_STEPS = 30
+# F is stationary for more than one t: so many places to begin at, and more if none leads near [mm].
+STARTS = (5, 60)
+NEAR = 1e-9
+ROUNDING = 1e-6  # by which points at the ends may be beyond
 
 
 @dataclass(frozen=True)
@@ -24,23 +28,35 @@ class QuadraticCones:
         return (np.hstack([self.vertex.poles * weights, weights]),
                 self.directions.poles.reshape(count, 3, 3))
 
-    def distance(self, point, start):
+    def distance(self, point):
         """Of a point near the envelope, from the cone whose F = d.M d is stationary in t there.
 
         The gradient of F on the envelope is that at fixed t; |F| over its length is the distance, but
         for what is of second order in it.
         """
-        t = mpf(start)
+        nearest = np.inf
+        for count in STARTS:
+            for start in np.linspace(0, 1, count):
+                try:
+                    nearest = min(nearest, self._distance_from(point, mpf(start)))
+                except ArithmeticError:
+                    continue
+            if nearest < NEAR:
+                break
+        return nearest
+
+    def _distance_from(self, point, t):
         for _ in range(NEWTON_STEPS):
             arm, m, slope, bend = self._at(point, t)
-            if bend == 0:
-                break
             step = slope / bend
             t -= step
             if abs(step) < mpf(10) ** -45:
                 break
-        gradient = 2 * (m @ arm)
-        return abs(arm @ m @ arm) / norm(gradient)
+        else:
+            raise ArithmeticError("no stationary place")
+        if not -ROUNDING < t < 1 + ROUNDING:
+            raise ArithmeticError("a cone beyond the ends of the family")
+        return abs(arm @ m @ arm) / norm(2 * (m @ arm))
 
     def _at(self, point, t):
         v, v1, v2 = self.vertex.derivatives(t, 0)
@@ -63,7 +79,7 @@ def random_cones(random):
     turn, _ = np.linalg.qr(random.normal(size=(3, 3)))
     turned = [turn @ matrix @ turn.T for matrix in matrices]
     exact = [(matrix + matrix.T) / 2 for matrix in turned]  # symmetric, bit for bit
-    size = 10 ** random.uniform(-3, 3)
+    size = 10 ** random.uniform(-2, 3)
     return QuadraticCones(
         Spline.bezier(size * poles @ turn.T, weights),
         Spline.bezier(np.reshape(exact, (2, 9))))

@@ -67,6 +67,6 @@ def test_every_page_is_reached_from_the_first():
 
 
 def test_every_picture_is_shown():
-    pictures = {path for path in (ROOT / "docs" / "images").iterdir()}
+    pictures = set((ROOT / "docs" / "images").iterdir())
     shown = {target for page in PAGES for target, _ in links(page)}
     assert sorted(map(name, pictures - shown)) == []

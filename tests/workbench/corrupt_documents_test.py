@@ -2,7 +2,6 @@
 """Documents with a stored value that is wrong: a sentence or another surface, never a surprise."""
 
 import os
-import pathlib
 import random
 import re
 import zipfile
@@ -12,7 +11,7 @@ from stored_documents_test import DOCUMENTS, features_of
 from support import DocumentTest
 
 SEED = int(os.environ.get("PN_TEST_SEED", "1"))
-TIMES = int(os.environ.get("PN_TEST_CORRUPTIONS", "60"))
+TIMES = int(os.environ.get("PN_TEST_CORRUPTIONS", "50"))
 
 # The values of properties in Document.xml, those of numbers and enumerations as text too.
 VALUE = re.compile(rb'(?<= value=")[^"]*|(?<= value[XYZ]=")[^"]*')

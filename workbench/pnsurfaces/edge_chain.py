@@ -4,7 +4,6 @@
 import itertools
 from typing import NamedTuple
 
-import FreeCAD
 import Part
 
 from pnsurfaces import kernel
@@ -113,14 +112,10 @@ def end(curve):
 
 
 def _require_length(edge, source):
-    try:
-        length = edge.Length
-    except FreeCAD.Base.FreeCADError as error:
-        raise ChainError(f"An edge of {source.Label} has no length that can be measured.") from error
-    if length <= CONFUSION:
+    if edge.Length <= CONFUSION:
         raise ChainError(
             f"An edge of {source.Label} near {place(edge.valueAt(edge.FirstParameter))} has no"
-            f" length ({length:.2g} mm). Remove it."
+            f" length ({edge.Length:.2g} mm). Remove it."
         )
 
 

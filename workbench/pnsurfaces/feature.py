@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What all exact surfaces in the tree share: offset, output, results, status and storage."""
 
+import math
 from decimal import ROUND_UP, Context
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -10,6 +11,7 @@ import FreeCAD
 from pnsurfaces.edge_chain import CONFUSION
 from pnsurfaces.feature_inputs import agree, read_inputs
 from pnsurfaces.kernel import KernelMissing
+from pnsurfaces.linked_shape import LinkError
 from pnsurfaces.shape import (
     measured,
     own_shape,
@@ -181,6 +183,15 @@ class FeatureBase:
         """The surface at distance 0 (Base), from the subclass's inputs, in any thread."""
         raise NotImplementedError
 
+    def sound_base(self, inputs):
+        """The same. Raises LinkError for what FreeCAD itself cannot do with a damaged shape."""
+        try:
+            return self.base(inputs)
+        except FreeCAD.Base.FreeCADError as error:
+            raise LinkError(
+                f"FreeCAD cannot work with a linked shape, which may be damaged ({error})."
+            ) from error
+
     def sections(self, inputs, surface):
         """The sections of the surface at distance 0 that are shown, the innermost first."""
         return [surface.offset(distance) for distance in shown_distances(inputs)]
@@ -234,7 +245,7 @@ class FeatureBase:
     def exact_sections(self, obj):
         """The Sections of the present inputs, whatever the shape shows."""
         inputs = self.inputs_of(obj)
-        return self._sections(inputs, self.base(inputs))
+        return self._sections(inputs, self.sound_base(inputs))
 
     def finish(self, obj, arrived):
         """Recomputes the feature with the outcome that arrived() returns, or the error it raises.
@@ -277,7 +288,7 @@ class FeatureBase:
             return
         self._add_missing_properties(obj)
         if obj.Deviation:
-            obj.DeviationBound = float(obj.Deviation.removesuffix(" mm"))
+            obj.DeviationBound = _deviation_of(obj.Deviation)
         self._restore_digits(obj)
 
     def _require_known_schema(self, obj):
@@ -306,7 +317,7 @@ class FeatureBase:
 
     def _computed(self, obj):
         inputs = self.inputs_of(obj)
-        return self.outcome(inputs, self.base(inputs))
+        return self.outcome(inputs, self.sound_base(inputs))
 
     def _restore_digits(self, obj):
         """Replaces a shape that lost digits in the file by the exact one, and no other shape."""
@@ -406,6 +417,14 @@ def _show_second_distance(obj):
 def deviation_text(deviation):
     """A distance in millimetres as text: the property editor would show a length as 0.00 mm."""
     return f"{deviation:.1e} mm" if deviation else "0 mm"
+
+
+def _deviation_of(text):
+    """The distance in millimetres that `deviation_text` wrote; infinite where that is not known."""
+    try:
+        return float(text.removesuffix(" mm"))
+    except ValueError:
+        return math.inf
 
 
 def distances_of(inputs):

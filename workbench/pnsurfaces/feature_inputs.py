@@ -6,6 +6,7 @@ from types import SimpleNamespace
 from pnsurfaces.linked_shape import Source
 
 _LINK = "App::PropertyLinkSub"
+_ENUMERATION = "App::PropertyEnumeration"
 
 
 class FeatureInputs(SimpleNamespace):
@@ -21,7 +22,10 @@ class FeatureInputs(SimpleNamespace):
 
 
 def read_inputs(obj, names):
-    """The FeatureInputs of the document object `obj` with the properties `names`."""
+    """The FeatureInputs of the document object `obj` with the properties `names`.
+
+    Raises ValueError when one is a choice that there is not, as a damaged document has it.
+    """
     container = obj.getParentGeoFeatureGroup()
     return FeatureInputs(**{name: _value(obj, name, container) for name in names})
 
@@ -33,6 +37,8 @@ def agree(inputs, others, names):
 
 def _value(obj, name, container):
     value = getattr(obj, name)
+    if value is None and obj.getTypeIdOfProperty(name) == _ENUMERATION:
+        raise ValueError(f"{name} of {obj.Label} is none of the choices it has.")
     if value is None or obj.getTypeIdOfProperty(name) != _LINK:
         return value
     source, sub_elements = value

@@ -201,7 +201,7 @@ def _stages(proxy, inputs, made):
 
 
 def _make(proxy, inputs):
-    base = proxy.base(inputs)
+    base = proxy.sound_base(inputs)
     focal_points = [focal for focal in base.surface.focal_points if focal]
     yield Made(inputs, base, section_mesh(base.surface), focal_points)
 

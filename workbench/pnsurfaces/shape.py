@@ -79,7 +79,10 @@ def storage_loss(stored, exact):
 
 def _poles(face):
     """The poles of a face in its own coordinates, (nu, nv, 3); none for a plane."""
-    surface = face.Surface
+    try:
+        surface = face.Surface
+    except TypeError:  # FreeCAD's word for a face that lost its surface.
+        return np.empty(0)
     return np.array(surface.getPoles()) if hasattr(surface, "getPoles") else np.empty(0)
 
 

@@ -13,7 +13,7 @@
 
 #include "pn/algebra/cancellation.hpp"
 
-#if defined(__SANITIZE_THREAD__)
+#if defined(PN_THREAD_SANITIZER)
 #include <sanitizer/tsan_interface.h>
 #endif
 
@@ -48,7 +48,7 @@ class LeastError {
 // the thread sanitizer has to be told.
 class Moment {
  public:
-#if defined(__SANITIZE_THREAD__)
+#if defined(PN_THREAD_SANITIZER)
   void reach() { __tsan_release(this); }
   void pass() { __tsan_acquire(this); }
 #else

@@ -78,17 +78,22 @@ std::vector<std::complex<double>> approximate_roots(const RationalPolynomial& p)
   return z;
 }
 
+RealBall ball(const arb_struct* x, long precision) {
+  ArbBall result;
+  arb_set(result.get(), x);
+  return RealBall(result, precision);
+}
+
 /// The n isolated roots of this multiplicity, sorted into real ones and pairs.
 RootSet sorted_out(AcbVector& roots, slong n, int multiplicity, long precision) {
   RootSet set;
   for (slong i = 0; i < n; ++i) {
-    ComplexBall root;
-    acb_set(root.acb(), roots[i]);
-    root.set_precision(precision);
+    const RealBall real = ball(acb_realref(roots[i]), precision);
     if (arb_is_zero(acb_imagref(roots[i]))) {
-      set.real.push_back({root.real(), multiplicity});
+      set.real.push_back({real, multiplicity});
     } else if (arb_is_positive(acb_imagref(roots[i]))) {
-      set.pairs.push_back({std::move(root), multiplicity});
+      const RealBall imaginary = ball(acb_imagref(roots[i]), precision);
+      set.pairs.push_back({ComplexBall(real, imaginary), multiplicity});
     }
   }
   return set;
@@ -196,14 +201,7 @@ std::vector<int> bernstein_signs(const RationalPolynomial& p) {
 std::optional<Rational> number_between(const RealBall& low, const RealBall& high) {
   const RealBall gap = high - low;
   if (!gap.is_positive()) return std::nullopt;
-  arf_t middle;
-  arf_init(middle);
-  arf_add(middle, arb_midref(low.arb()), arb_midref(high.arb()), ARF_PREC_EXACT, ARF_RND_DOWN);
-  arf_mul_2exp_si(middle, middle, -1);
-  Rational result;
-  arf_get_fmpq(result.flint(), middle);
-  arf_clear(middle);
-  return result;
+  return (low.exact_midpoint() + high.exact_midpoint()) / Rational(2L);
 }
 
 /// +1, -1 for a root certainly above, below x; 0 when its ball contains x.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "pn/algebra/memo.hpp"
 #include "pn/algebra/rational_polynomial.hpp"
 #include "pn/bezier/knot_insertion.hpp"
 #include "pn/isotropic/form_in_u.hpp"
@@ -81,9 +82,7 @@ std::vector<std::vector<Rational>> composed(const std::vector<Point>& p, int for
   return columns;
 }
 
-}  // namespace
-
-CircleColumns circle_part(int first, int last, int spans, int form_degree) {
+CircleColumns computed_circle_part(int first, int last, int spans, int form_degree) {
   CircleColumns circle;
   circle.degree = 2 * form_degree;
   for (int j = first; j <= last; ++j) {
@@ -102,6 +101,14 @@ CircleColumns circle_part(int first, int last, int spans, int form_degree) {
     if (j == last - 1) circle.coefficients.push_back(bezier.back());
   }
   return circle;
+}
+
+}  // namespace
+
+CircleColumns circle_part(int first, int last, int spans, int form_degree) {
+  static Memo<std::array<int, 4>, CircleColumns> known;
+  return known({first, last, spans, form_degree},
+               [&] { return computed_circle_part(first, last, spans, form_degree); });
 }
 
 Eigen::Vector2d circle_point(double s, int spans) {

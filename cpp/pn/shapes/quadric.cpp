@@ -612,14 +612,13 @@ EnvelopeChain parabolic_cylinder(const HalfAxes& half, const QuadricBounds& boun
 
 void require_half_axes(QuadricKind kind, const std::array<double, 3>& half_axes) {
   for (std::size_t i = 0; i < 3; ++i) {
-    const bool is_unused = (kind == QuadricKind::kEllipticCylinder && i == 2) ||
-                           (kind == QuadricKind::kParabolicCylinder && i == 1);
-    if (is_unused) continue;
     const std::string name(1, "abc"[i]);
     if (!std::isfinite(half_axes[i])) {
       throw GeometryError(ErrorCode::kNotFinite, "The half-axis " + name + " is not a number.");
     }
-    if (half_axes[i] <= 0) {
+    const bool is_unused = (kind == QuadricKind::kEllipticCylinder && i == 2) ||
+                           (kind == QuadricKind::kParabolicCylinder && i == 1);
+    if (!is_unused && half_axes[i] <= 0) {
       throw GeometryError(
           ErrorCode::kBadAxis,
           "The half-axis " + name + " must be positive; it is " + show(half_axes[i]) + ".");
