@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The documentation: its Python blocks run, and its links lead somewhere."""
+"""The documentation: its Python blocks run, its links lead somewhere, and every page is found."""
 
 import pathlib
 import re
@@ -7,13 +7,14 @@ import re
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-DOCS = ROOT / "docs"
-PAGES = [*sorted(ROOT.glob("*.md")), *sorted(DOCS.glob("*.md"))]
+DOCS = sorted((ROOT / "docs").rglob("*.md"))
+PAGES = [*(ROOT / f"{name}.md" for name in ("README", "CONTRIBUTING", "CHANGELOG")), *DOCS]
 
 # Blocks marked "python freecad" need FreeCAD.
 PYTHON_BLOCK = re.compile(r"^```python\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+BLOCK = re.compile(r"^```.*?^```$", re.DOTALL | re.MULTILINE)
 LOCAL_LINK = re.compile(r"\]\((?!https?:)([^)#\s]*)(?:#([^)\s]+))?\)")
-HEADING = re.compile(r"^#+ (.+)$", re.MULTILINE)
+HEADING = re.compile(r"^#+ +(.+)$", re.MULTILINE)
 
 
 def name(page):
@@ -35,25 +36,37 @@ def test_python_block_runs(page, line, source):
 
 
 def links(page):
-    """(file, anchor or "") of every link to a file of the project."""
-    for target, anchor in LOCAL_LINK.findall(page.read_text(encoding="utf-8")):
+    """The local links of a page, pictures too: the file, and the anchor in it or the empty text."""
+    text = BLOCK.sub("", page.read_text(encoding="utf-8"))
+    for target, anchor in LOCAL_LINK.findall(text):
         yield (page.parent / target).resolve() if target else page, anchor
 
 
 def anchors(page):
-    """The names by which the headings of a page can be linked to."""
-    headings = HEADING.findall(page.read_text(encoding="utf-8"))
-    return {re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-") for heading in headings}
+    """What headings are linked by: in small letters, without punctuation, a hyphen for each space."""
+    headings = HEADING.findall(BLOCK.sub("", page.read_text(encoding="utf-8")))
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
 
 @pytest.mark.parametrize("page", PAGES, ids=name)
 def test_links_lead_somewhere(page):
     for target, anchor in links(page):
         assert target.exists(), f"{name(page)} links to {target}"
-        assert not anchor or anchor in anchors(target), f"{name(page)} links to #{anchor}"
+        if anchor:
+            assert anchor in anchors(target), f"{name(page)} links to #{anchor} of {name(target)}"
 
 
-def test_every_page_and_picture_is_linked_to():
-    linked = {target for page in PAGES for target, _ in links(page)}
-    unlinked = {*DOCS.glob("*.md"), *(DOCS / "images").iterdir()} - linked
-    assert {file.name for file in unlinked} == set()
+def test_every_page_is_reached_from_the_first():
+    reached, ahead = set(), [ROOT / "docs" / "README.md"]
+    while ahead:
+        page = ahead.pop()
+        if page not in reached and page in DOCS:
+            reached.add(page)
+            ahead += [target for target, _ in links(page)]
+    assert [name(page) for page in DOCS if page not in reached] == []
+
+
+def test_every_picture_is_shown():
+    pictures = set((ROOT / "docs" / "images").iterdir())
+    shown = {target for page in PAGES for target, _ in links(page)}
+    assert sorted(map(name, pictures - shown)) == []
