@@ -9,9 +9,7 @@ from pathlib import Path
 
 import matplotlib
 from matplotlib.figure import Figure
-from tables import (
-    arguments, below, cases, failed, machine, medians, milliseconds, results_in, tables,
-)
+from tables import arguments, below, cases, failed, machine, medians, milliseconds, results_in, tables
 
 # The same results give the same file.
 matplotlib.rcParams["svg.hashsalt"] = "pn-surfaces"
@@ -64,8 +62,9 @@ def draw_times(entries, axes):
 def draw_memory(entries, axes):
     for key, label in (("kept_bytes_per_span", "kept"), ("peak_bytes_per_span", "at most")):
         points = growth(entries, lambda entry: entry[key])[1]
-        axes.plot([n for n, _ in points], [n * size / 2**20 for n, size in points], marker="o",
-                  label=label)
+        axes.plot(
+            [n for n, _ in points], [n * size / 2**20 for n, size in points], marker="o", label=label
+        )
 
 
 def draw_deviations(entries, axes):

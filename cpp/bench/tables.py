@@ -15,8 +15,7 @@ def medians(results):
     """The median of every benchmark, in the order of the source: name -> its entry. One that throws
     has no median, but an entry with its error."""
     entries = sorted(
-        results["benchmarks"],
-        key=lambda e: (e["family_index"], e["per_family_instance_index"]),
+        results["benchmarks"], key=lambda e: (e["family_index"], e["per_family_instance_index"])
     )
     return {
         entry["run_name"]: entry

@@ -42,9 +42,7 @@ def paint_wall(wall, sides):
         paint(colour, surface)
     if FreeCAD.GuiUp:
         colours = {_mark(face): colour for surface, colour in sides for face in surface.Shape.Faces}
-        wall.ViewObject.DiffuseColor = [
-            colours.get(_mark(face), SECTION) for face in wall.Shape.Faces
-        ]
+        wall.ViewObject.DiffuseColor = [colours.get(_mark(face), SECTION) for face in wall.Shape.Faces]
 
 
 def cut_open(wall, corner, size):

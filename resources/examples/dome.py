@@ -36,8 +36,12 @@ def make_dome():
     points = [(x, y, math.sqrt(RADIUS**2 - x * x - y * y) - BELOW) for x, y in places]
     radii = [half for half in HALF_THICKNESS for _ in range(SIDES)]
     dome = pnsurfaces.make_triangulated_skins(
-        points, radii, _triangles(), slopes=[_slopes(*place) for place in places],
-        document=document, name="Dome",
+        points,
+        radii,
+        _triangles(),
+        slopes=[_slopes(*place) for place in places],
+        document=document,
+        name="Dome",
     )
     document.recompute()
     inner, outer = (len(shell.Faces) for shell in dome.Shape.Shells)

@@ -36,9 +36,12 @@ EXAMPLES = (
         QT_TRANSLATE_NOOP(
             "PNSurfaces",
             "A runner that flares towards the air: the wall between two offsets of a pipe with"
-            " a radius at each point of its spine."
+            " a radius at each point of its spine.",
         ),
-        ("Outer", "Inner", "Wall"), ("Wall",), 26, 27,
+        ("Outer", "Inner", "Wall"),
+        ("Wall",),
+        26,
+        27,
     ),
     Example(
         "hose",
@@ -46,18 +49,24 @@ EXAMPLES = (
         QT_TRANSLATE_NOOP(
             "PNSurfaces",
             "A hollow hose between two fittings: a table of radii by arc length, and a bore of"
-            " one radius."
+            " one radius.",
         ),
-        ("Hose", "Bore"), ("Hose",), 30, 35,
+        ("Hose", "Bore"),
+        ("Hose",),
+        30,
+        35,
     ),
     Example(
         "reflector",
         QT_TRANSLATE_NOOP("PNSurfaces", "Reflector"),
         QT_TRANSLATE_NOOP(
             "PNSurfaces",
-            "A dish of elliptic outline: an elliptic paraboloid and its shell of even thickness."
+            "A dish of elliptic outline: an elliptic paraboloid and its shell of even thickness.",
         ),
-        ("Back", "Front", "Dish"), ("Dish",), 36, 30,
+        ("Back", "Front", "Dish"),
+        ("Dish",),
+        36,
+        30,
     ),
     Example(
         "saddle_roof",
@@ -65,25 +74,33 @@ EXAMPLES = (
         QT_TRANSLATE_NOOP(
             "PNSurfaces", "A hyperbolic paraboloid of concrete, equally thick everywhere."
         ),
-        ("Upper", "Lower", "Shell"), ("Shell",), 40, 24,
+        ("Upper", "Lower", "Shell"),
+        ("Shell",),
+        40,
+        24,
     ),
     Example(
         "cooling_tower",
         QT_TRANSLATE_NOOP("PNSurfaces", "Cooling tower"),
         QT_TRANSLATE_NOOP(
-            "PNSurfaces",
-            "The wall of a one-sheet hyperboloid, equally thick from foot to rim."
+            "PNSurfaces", "The wall of a one-sheet hyperboloid, equally thick from foot to rim."
         ),
-        ("Outer", "Inner", "Wall"), ("Wall",), 40, 24,
+        ("Outer", "Inner", "Wall"),
+        ("Wall",),
+        40,
+        24,
     ),
     Example(
         "twisted_blade",
         QT_TRANSLATE_NOOP("PNSurfaces", "Twisted blade"),
         QT_TRANSLATE_NOOP(
             "PNSurfaces",
-            "A rotor of blades between two offsets of the ruled surface from root to tip."
+            "A rotor of blades between two offsets of the ruled surface from root to tip.",
         ),
-        ("Suction", "Pressure", "Blade"), ("Blade", "Hub"), 30, 40,
+        ("Suction", "Pressure", "Blade"),
+        ("Blade", "Hub"),
+        30,
+        40,
     ),
     Example(
         "tank",
@@ -91,9 +108,12 @@ EXAMPLES = (
         QT_TRANSLATE_NOOP(
             "PNSurfaces",
             "A tank with three different half-axes: the wall between two offsets of an ellipsoid,"
-            " and its lining."
+            " and its lining.",
         ),
-        ("Shell", "Lining", "Wall"), ("Wall",), 40, 24,
+        ("Shell", "Lining", "Wall"),
+        ("Wall",),
+        40,
+        24,
     ),
     Example(
         "rounded_bracket",
@@ -102,7 +122,10 @@ EXAMPLES = (
             "PNSurfaces",
             "The union of all balls of six spheres, rounded everywhere, with a hole at each corner.",
         ),
-        ("Body",), ("Body",), 20, 40,
+        ("Body",),
+        ("Body",),
+        20,
+        40,
     ),
     Example(
         "dome",
@@ -112,7 +135,10 @@ EXAMPLES = (
             "Both skins of an eight-sided dome whose wall grows from the oculus to the foot: a"
             " sphere and a tangent plane at each point of a triangulation.",
         ),
-        ("Dome",), (), 15, -28,
+        ("Dome",),
+        (),
+        15,
+        -28,
     ),
     Example(
         "mirror_dish",
@@ -122,7 +148,10 @@ EXAMPLES = (
             "A dish that light falls on obliquely, and the wavefronts on their way to the focus:"
             " exact offsets of each other.",
         ),
-        ("Near", "Middle", "Far"), (), 30, 20,
+        ("Near", "Middle", "Far"),
+        (),
+        30,
+        20,
     ),
     Example(
         "duct",
@@ -131,7 +160,10 @@ EXAMPLES = (
             "PNSurfaces",
             "A duct from a flat opening to a round pipe, around a bend: true ellipses along a spine.",
         ),
-        ("Duct",), ("Duct",), -65, 30,
+        ("Duct",),
+        ("Duct",),
+        -65,
+        30,
     ),
     Example(
         "spray",
@@ -142,7 +174,9 @@ EXAMPLES = (
             " parabola.",
         ),
         ("Drop1", "Drop2", "Drop3", "Drop4", "Drop5"),
-        ("Drop1", "Drop2", "Drop3", "Drop4", "Drop5"), -50, 30,
+        ("Drop1", "Drop2", "Drop3", "Drop4", "Drop5"),
+        -50,
+        30,
     ),
     Example(
         "trough",
@@ -152,6 +186,9 @@ EXAMPLES = (
             "A reflector along a lamp: hyperbolas that spread its light, then a parabola, then"
             " ellipses that gather it.",
         ),
-        ("Trough", "Lamp"), ("Lamp",), 50, 30,
+        ("Trough", "Lamp"),
+        ("Lamp",),
+        50,
+        30,
     ),
 )

@@ -13,7 +13,13 @@ import pnsurfaces
 
 # Points of the spine, in mm.
 SPINE = (
-    (0, 0, 0), (0, 0, 60), (30, 25, 130), (110, 50, 150), (180, 20, 110), (240, 0, 100), (300, 0, 100)
+    (0, 0, 0),
+    (0, 0, 60),
+    (30, 25, 130),
+    (110, 50, 150),
+    (180, 20, 110),
+    (240, 0, 100),
+    (300, 0, 100),
 )
 
 # Positions along the spine and radii outside there, in mm: thick at the fittings, thin between.
@@ -39,8 +45,13 @@ def make_hose():
         spine, ("Table", RADII), name="Outside", PositionBy="Arc length"
     )
     hose = pnsurfaces.make_canal_surface(
-        spine, ("Table", RADII), name="Hose", PositionBy="Arc length", Hollow="Inner radius",
-        InnerRadius=BORE, Output="Solid",
+        spine,
+        ("Table", RADII),
+        name="Hose",
+        PositionBy="Arc length",
+        Hollow="Inner radius",
+        InnerRadius=BORE,
+        Output="Solid",
     )
     hose.setExpression("InnerRadius", "Bore.Radius")
     hose.setExpression("Radii", "Outside.Radii")

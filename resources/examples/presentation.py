@@ -146,7 +146,14 @@ def _camera(example):
 def _table(certificates):
     """Certificates, a line each."""
     header = (
-        "example", "surface", "distance", "degree", "poles", "deviation", "exact", "regular offsets"
+        "example",
+        "surface",
+        "distance",
+        "degree",
+        "poles",
+        "deviation",
+        "exact",
+        "regular offsets",
     )
     rows = [header, *certificates]
     widths = [max(map(len, column)) for column in zip(*rows)]

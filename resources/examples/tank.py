@@ -29,8 +29,7 @@ def make_tank():
     shell = pnsurfaces.make_quadric_offset(*ellipsoid, THICKNESS, name="Shell")
     lining = pnsurfaces.make_quadric_offset(*ellipsoid, -LINING, name="Lining")
     wall = pnsurfaces.make_quadric_offset(
-        *ellipsoid, THICKNESS, SecondDistance=-LINING, name="Wall", Sides="Two offsets",
-        Output="Solid",
+        *ellipsoid, THICKNESS, SecondDistance=-LINING, name="Wall", Sides="Two offsets", Output="Solid"
     )
     for follower in (lining, wall):
         for name in ("HalfAxisA", "HalfAxisB", "HalfAxisC"):

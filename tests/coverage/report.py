@@ -27,7 +27,9 @@ def of_gcovr(path):
 def of_coverage(path):
     """{file: {line: whether it ran}} of Python."""
     return {
-        pathlib.Path(file).resolve().relative_to(ROOT): {
+        pathlib.Path(file)
+        .resolve()
+        .relative_to(ROOT): {
             **dict.fromkeys(lines["executed_lines"], True),
             **dict.fromkeys(lines["missing_lines"], False),
         }

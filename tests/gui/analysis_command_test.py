@@ -35,8 +35,10 @@ class AnalysisTest(GuiTest):
         self.select(self.feature)
 
     def children(self):
-        return [self.root.getChild(i).getTypeId().getName().getString()
-                for i in range(self.root.getNumChildren())]
+        return [
+            self.root.getChild(i).getTypeId().getName().getString()
+            for i in range(self.root.getNumChildren())
+        ]
 
     def shown(self):
         return self.feature.ViewObject.Proxy.analysis.shown

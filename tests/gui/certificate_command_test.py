@@ -101,6 +101,4 @@ class CertificateTest(GuiTest):
         self.assertFalse(FreeCADGui.Command.get(COMMAND).isActive())
 
     def _answering(self, path):
-        return mock.patch.object(
-            QtWidgets.QFileDialog, "getSaveFileName", return_value=(path, "")
-        )
+        return mock.patch.object(QtWidgets.QFileDialog, "getSaveFileName", return_value=(path, ""))

@@ -8,7 +8,10 @@ from support import GuiTest, input_of, wait_for_preview
 from pnsurfaces.compat import QtCore, QtWidgets
 
 _INPUTS = (
-    QtWidgets.QAbstractSpinBox, QtWidgets.QAbstractButton, QtWidgets.QComboBox, QtWidgets.QLineEdit,
+    QtWidgets.QAbstractSpinBox,
+    QtWidgets.QAbstractButton,
+    QtWidgets.QComboBox,
+    QtWidgets.QLineEdit,
     QtWidgets.QAbstractItemView,
 )
 

@@ -46,8 +46,10 @@ class ScaleTest(unittest.TestCase):
         self.assertEqual(len(Scale(-math.inf, math.inf).zones()), 1)
 
     def test_a_limit_out_of_all_proportion_is_drawn_like_none(self):
-        for far, endless in ((Scale(-5, 7e10), Scale(-5, math.inf)),
-                             (Scale(-7e10, 5), Scale(-math.inf, 5))):
+        for far, endless in (
+            (Scale(-5, 7e10), Scale(-5, math.inf)),
+            (Scale(-7e10, 5), Scale(-math.inf, 5)),
+        ):
             self.assertEqual(far.zones(), endless.zones())
             for distance in (-7.0, 0.0, 2.0, 7.0):
                 self.assertEqual(far.mark(distance), endless.mark(distance))

@@ -178,8 +178,9 @@ def has_handle(feature):
 def handle_position(feature, along=0.0):
     """A point of the arrow, so many of its lengths from where it stands."""
     node = _node(feature, HANDLE)
-    (frame,), (dragger,) = (_all_of_type(node, kind) for kind in
-                            (coin.SoTransform, coin.SoTranslate1Dragger))
+    (frame,), (dragger,) = (
+        _all_of_type(node, kind) for kind in (coin.SoTransform, coin.SoTranslate1Dragger)
+    )
     point = coin.SbVec3f(dragger.translation.getValue()[0] + along, 0, 0)
     turned = frame.rotation.getValue().multVec(point * frame.scaleFactor.getValue()[0])
     return tuple(turned + frame.translation.getValue())

@@ -51,9 +51,7 @@ class CreationTest(SectionTest):
 
     def test_without_a_spine_it_asks_for_one(self):
         FreeCADGui.Selection.clearSelection()
-        self.assert_asks(
-            COMMAND, "Select the spine first: edges of one object, a wire or a sketch."
-        )
+        self.assert_asks(COMMAND, "Select the spine first: edges of one object, a wire or a sketch.")
 
 
 class PanelTest(SectionTest):

@@ -66,9 +66,11 @@ class PreviewBench(GuiTest):
         pause_of_drawing = pauses.longest()
         pauses = Pauses()
         wait_for_preview()
-        _report(f"{_EDGES} edges: drawn after {drawn - start:.2f} s, shape after"
-                f" {time.perf_counter() - start:.2f} s; longest pause of the window"
-                f" {pause_of_drawing:.0f} ms while drawing, {pauses.longest():.0f} ms with the shape")
+        _report(
+            f"{_EDGES} edges: drawn after {drawn - start:.2f} s, shape after"
+            f" {time.perf_counter() - start:.2f} s; longest pause of the window"
+            f" {pause_of_drawing:.0f} ms while drawing, {pauses.longest():.0f} ms with the shape"
+        )
 
     def test_memory(self):
         _, panel = self.open_panel(self.spline, "Edge1")
@@ -107,9 +109,11 @@ class PreviewBench(GuiTest):
         rate, pause = _FRAMES / seconds, pauses.longest()
         pauses = Pauses()
         wait_for_preview()
-        _report(f"{title}: {rate:.0f} previews a second, {assigning / _FRAMES * 1e3:.2f} ms of a"
-                f" processor without and {computed / _FRAMES * 1e3:.2f} ms with painting; longest"
-                f" pause {pause:.0f} ms, {pauses.longest():.0f} ms when the shape follows")
+        _report(
+            f"{title}: {rate:.0f} previews a second, {assigning / _FRAMES * 1e3:.2f} ms of a"
+            f" processor without and {computed / _FRAMES * 1e3:.2f} ms with painting; longest"
+            f" pause {pause:.0f} ms, {pauses.longest():.0f} ms when the shape follows"
+        )
 
 
 def _report(text):

@@ -96,8 +96,19 @@ class CreationTest(QuadricOffsetTest):
 
 class PanelTest(QuadricOffsetTest):
     def assert_visible(self, panel, *names):
-        every = ("HalfAxisA", "HalfAxisB", "HalfAxisC", "Region", "MinX", "MinY", "MaxZ",
-                 "MinAngle", "equation", "face", "use_selection")
+        every = (
+            "HalfAxisA",
+            "HalfAxisB",
+            "HalfAxisC",
+            "Region",
+            "MinX",
+            "MinY",
+            "MaxZ",
+            "MinAngle",
+            "equation",
+            "face",
+            "use_selection",
+        )
         visible = {name for name in every if input_of(panel, name).isVisible()}
         self.assertEqual(visible, set(names))
 
@@ -109,9 +120,7 @@ class PanelTest(QuadricOffsetTest):
         self.assert_visible(panel, *axes, "Region", "equation", "MaxZ", "MinAngle")
         input_of(panel, "Kind").setCurrentText("Parabolic cylinder")
         input_of(panel, "Region").setCurrentText("Rectangle")
-        self.assert_visible(
-            panel, "HalfAxisA", "HalfAxisC", "Region", "equation", "MinX", "MinY"
-        )
+        self.assert_visible(panel, "HalfAxisA", "HalfAxisC", "Region", "equation", "MinX", "MinY")
         self.assertEqual(input_of(panel, "equation").text(), "z = c x²/a²")
         main_window.screenshot("quadric_rectangle")
         input_of(panel, "Kind").setCurrentText("Of a face")
@@ -129,9 +138,7 @@ class PanelTest(QuadricOffsetTest):
                 offered = [regions.itemText(i) for i in range(regions.count())]
                 self.assertEqual(offered, list(KINDS[kind].regions))
                 self.assertEqual(regions.currentText(), feature.Region)
-                self.assertEqual(
-                    input_of(panel, "MaxZ").property("value").Value, feature.MaxZ.Value
-                )
+                self.assertEqual(input_of(panel, "MaxZ").property("value").Value, feature.MaxZ.Value)
 
     def test_a_sentence_comes_into_view_in_a_low_window(self):
         _, panel = self.open_quadric_panel()

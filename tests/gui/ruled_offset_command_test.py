@@ -14,9 +14,7 @@ QUESTION = "Select two edges, wires or sketches first, or one ruled face."
 class RuledOffsetTest(GuiTest):
     def setUp(self):
         super().setUp()
-        self.rail = self.shape_object(
-            Part.makeLine(Vector(60, 0, 0), Vector(60, 30, 100)), "Rail"
-        )
+        self.rail = self.shape_object(Part.makeLine(Vector(60, 0, 0), Vector(60, 30, 100)), "Rail")
         self.document.recompute()
         self.document.clearUndos()
 

@@ -15,9 +15,7 @@ import Part
 from FreeCAD import Vector
 
 # A curved spine with five vertices, in millimetres.
-POLES = [
-    (0, 0, 0), (20, 25, 0), (40, 25, 20), (65, -5, 30), (90, 5, 10), (110, 40, 5), (125, 55, 15)
-]
+POLES = [(0, 0, 0), (20, 25, 0), (40, 25, 20), (65, -5, 30), (90, 5, 10), (110, 40, 5), (125, 55, 15)]
 KNOTS = [0.0, 0.25, 0.5, 0.75, 1.0]
 MULTIPLICITIES = [4, 1, 1, 1, 4]
 

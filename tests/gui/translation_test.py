@@ -18,9 +18,7 @@ class German(GuiTest):
 
     def test_panel(self):
         feature, panel = self.open_panel(self.spline, "Edge1")
-        labels = [
-            label.text() for form in panel.form for label in form.findChildren(QtWidgets.QLabel)
-        ]
+        labels = [label.text() for form in panel.form for label in form.findChildren(QtWidgets.QLabel)]
         for text in ("Leitkurve", "Abstand", "Abweichung", "Kontrollpunkte"):
             self.assertIn(text, labels)
         sides = input_of(panel, "Sides")

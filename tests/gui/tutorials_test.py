@@ -99,7 +99,10 @@ class RuledSurface(Tutorial):
         make_wall(panel, "2", "Both sides")
         self.assertEqual(feature.Shape.ShapeType, "Solid")
         self.assert_says(
-            "**Distance** `2`", "*Both sides*", "*Solid*", f"*{feature.Poles}* poles",
+            "**Distance** `2`",
+            "*Both sides*",
+            "*Solid*",
+            f"*{feature.Poles}* poles",
             f"{feature.Volume.getValueAs('cm^3').Value:.1f} cm³",
         )
         self.picture(2)
@@ -123,7 +126,10 @@ class Quadric(Tutorial):
         self.picture(1)
         input_of(panel, "Kind").setCurrentText("One-sheet hyperboloid")
         for name, value in (
-            ("HalfAxisA", "30"), ("HalfAxisB", "22"), ("HalfAxisC", "40"), ("MinZ", "-60"),
+            ("HalfAxisA", "30"),
+            ("HalfAxisB", "22"),
+            ("HalfAxisC", "40"),
+            ("MinZ", "-60"),
             ("MaxZ", "30"),
         ):
             main_window.type_text(input_of(panel, name), value)

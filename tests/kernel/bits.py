@@ -55,8 +55,10 @@ def _bits(array):
 
 
 def _faces(surface, lines):
-    return [[_bits(getattr(face, name)) for name in FACE_ARRAYS] + [_loops(face)]
-            for face in surface.bsplines(lines)]
+    return [
+        [_bits(getattr(face, name)) for name in FACE_ARRAYS] + [_loops(face)]
+        for face in surface.bsplines(lines)
+    ]
 
 
 def _loops(face):

@@ -17,8 +17,9 @@ class Canal:
     radius: Spline
 
     def surface(self):
-        return pn.canal_surface(pn.Curve.bspline(*self.spine.arguments),
-                                pn.Law.bspline(*self.radius.arguments))
+        return pn.canal_surface(
+            pn.Curve.bspline(*self.spine.arguments), pn.Law.bspline(*self.radius.arguments)
+        )
 
     @property
     def size(self):
@@ -56,9 +57,11 @@ class Canal:
 
     def nearest_parameter(self, point, offset):
         """A rough foot: the best of many parameters, in doubles, with its span."""
-        candidates = [(span, a + (b - a) * share)
-                      for span, (a, b) in enumerate(zip(self.spine.knots, self.spine.knots[1:]))
-                      for share in np.linspace(0, 1, 33)]
+        candidates = [
+            (span, a + (b - a) * share)
+            for span, (a, b) in enumerate(zip(self.spine.knots, self.spine.knots[1:]))
+            for share in np.linspace(0, 1, 33)
+        ]
 
         def defect(candidate):
             span, t = candidate
@@ -83,13 +86,17 @@ def random_canal(seed, degree, spans=1, rational=False):
     poles = 10 * np.arange(count)[:, None] * [0.0, 0.0, 1.0] + random.uniform(-6, 6, (count, 3))
     weights = random.uniform(0.8, 1.25, count) if rational else np.ones(count)
     radii = random.uniform(1.5, 3.0, count)
-    return Canal(Spline(degree, knots, multiplicities, poles, weights),
-                 Spline(degree, knots, multiplicities, radii, weights))
+    return Canal(
+        Spline(degree, knots, multiplicities, poles, weights),
+        Spline(degree, knots, multiplicities, radii, weights),
+    )
 
 
 def face_parameters(face, random, count):
     """Random (u, v) on a face, its corners among them."""
     ends = [(face.u_knots[i], face.v_knots[j]) for i in (0, -1) for j in (0, -1)]
-    inner = zip(random.uniform(face.u_knots[0], face.u_knots[-1], count),
-                random.uniform(face.v_knots[0], face.v_knots[-1], count))
+    inner = zip(
+        random.uniform(face.u_knots[0], face.u_knots[-1], count),
+        random.uniform(face.v_knots[0], face.v_knots[-1], count),
+    )
     return [*ends, *inner]

@@ -302,9 +302,7 @@ def least_degree_of_points(conic, most_choices=64):
     """(m, a) with the least a of all choices of lines, or of as many random ones if there are more.
     Raises NoRealPoints where an odd place has no real lines."""
     with mpmath.workdps(DIGITS):
-        turned, kappa = without_zeros_at_infinity(
-            [[exact(entry) for entry in row] for row in conic]
-        )
+        turned, kappa = without_zeros_at_infinity([[exact(entry) for entry in row] for row in conic])
         zeros_with_types = list(places(turned))
         first = []
 

@@ -69,8 +69,9 @@ def coordinates(frame, t, x):
     """y with frame(t) y = (x, 1), for a point of the plane."""
     matrix, right = at(frame, t), [*x, mpf(1)]
     normal, product = matrix.T @ matrix, matrix.T @ np.array(right)
-    return np.array(mpmath.lu_solve(mpmath.matrix(normal.tolist()),
-                                    mpmath.matrix(product.tolist())).T.tolist()[0])
+    return np.array(
+        mpmath.lu_solve(mpmath.matrix(normal.tolist()), mpmath.matrix(product.tolist())).T.tolist()[0]
+    )
 
 
 def residual(span, t, x):

@@ -16,8 +16,15 @@ def bezier(poles, weights=None):
     """A Bezier patch over [0, 1]^2 as the kernel takes it."""
     m, n = (count - 1 for count in np.shape(poles)[:2])
     return SimpleNamespace(
-        u_degree=m, v_degree=n, u_knots=[0, 1], v_knots=[0, 1], u_multiplicities=[m + 1, m + 1],
-        v_multiplicities=[n + 1, n + 1], poles=np.asarray(poles), weights=weights)
+        u_degree=m,
+        v_degree=n,
+        u_knots=[0, 1],
+        v_knots=[0, 1],
+        u_multiplicities=[m + 1, m + 1],
+        v_multiplicities=[n + 1, n + 1],
+        poles=np.asarray(poles),
+        weights=weights,
+    )
 
 
 def random_mirror(random, m, n, is_rational):
@@ -28,6 +35,7 @@ def random_mirror(random, m, n, is_rational):
 
 def _bernstein(degree, t):
     """The basis functions and their derivatives, two vectors (degree + 1,)."""
+
     def values(n):
         return np.array([comb(n, i) * t**i * (1 - t) ** (n - i) for i in range(n + 1)], dtype=object)
 
@@ -51,8 +59,10 @@ class Mirror:
         """The normal of any length."""
         m, n = (count - 1 for count in self.homogeneous.shape[:2])
         (a, a1), (b, b1) = _bernstein(m, u), _bernstein(n, v)
-        at, by_u, by_v = (np.tensordot(x, np.tensordot(y, self.homogeneous, (0, 1)), (0, 0))
-                          for x, y in ((a, b), (a1, b), (a, b1)))
+        at, by_u, by_v = (
+            np.tensordot(x, np.tensordot(y, self.homogeneous, (0, 1)), (0, 0))
+            for x, y in ((a, b), (a1, b), (a, b1))
+        )
         x = at[:3] / at[3]
         return x, np.cross(by_u[:3] - by_u[3] * x, by_v[:3] - by_v[3] * x)
 

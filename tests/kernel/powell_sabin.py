@@ -23,18 +23,26 @@ def pieces(points, spheres, derivatives, triangles, corners):
     """
     parts = split(points, triangles, corners)
     exact = exactly(points)
-    coefficients = [solved(parts[6 * t:6 * t + 6], {tuple(exact[n]): n for n in triangle},
-                           spheres, derivatives)
-                    for t, triangle in enumerate(triangles)]
+    coefficients = [
+        solved(parts[6 * t : 6 * t + 6], {tuple(exact[n]): n for n in triangle}, spheres, derivatives)
+        for t, triangle in enumerate(triangles)
+    ]
     return parts, np.concatenate(coefficients)
 
 
 def control_spheres(corners, coefficients):
     """The control points (6, 4) of a part in the order of sphere_families.Family."""
-    value = {(i, j): sphere_at(coefficients, *(corners[i] + corners[j]) / 2)[0]
-             for i in range(3) for j in range(3)}
-    return np.array([value[i, i] if i == j else 2 * value[i, j] - (value[i, i] + value[j, j]) / 2
-                     for i, j in ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))])
+    value = {
+        (i, j): sphere_at(coefficients, *(corners[i] + corners[j]) / 2)[0]
+        for i in range(3)
+        for j in range(3)
+    }
+    return np.array(
+        [
+            value[i, i] if i == j else 2 * value[i, j] - (value[i, i] + value[j, j]) / 2
+            for i, j in ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))
+        ]
+    )
 
 
 def split(points, triangles, corners):
@@ -44,8 +52,10 @@ def split(points, triangles, corners):
     inner points of both neighbours, or in the middle.
     """
     points = exactly(points)
-    inner = [_inner_point(points[list(triangle)], parts[0][2])
-             for triangle, parts in zip(triangles, np.reshape(corners, (-1, 6, 3, 2)), strict=True)]
+    inner = [
+        _inner_point(points[list(triangle)], parts[0][2])
+        for triangle, parts in zip(triangles, np.reshape(corners, (-1, 6, 3, 2)), strict=True)
+    ]
     beside = {}
     for t, triangle in enumerate(triangles):
         for edge in _edges(triangle):
@@ -61,10 +71,12 @@ def split(points, triangles, corners):
 
     parts = []
     for t, triangle in enumerate(triangles):
-        places = np.array([*points[list(triangle)], inner[t],
-                           *(edge_point(*edge) for edge in _edges(triangle))])
-        parts.extend([[_nearest(corner, places) for corner in part]
-                      for part in corners[6 * t:6 * t + 6]])
+        places = np.array(
+            [*points[list(triangle)], inner[t], *(edge_point(*edge) for edge in _edges(triangle))]
+        )
+        parts.extend(
+            [[_nearest(corner, places) for corner in part] for part in corners[6 * t : 6 * t + 6]]
+        )
     return np.array(parts)
 
 
@@ -80,8 +92,9 @@ def _cross(d, e):
 def _inner_point(ends, near):
     a, b, c = ends
     weights = (_cross(exactly(near) - c, b - c), _cross(a - c, exactly(near) - c))
-    parts = [Fraction(float(weight / _cross(a - c, b - c))).limit_denominator(SHORT)
-             for weight in weights]
+    parts = [
+        Fraction(float(weight / _cross(a - c, b - c))).limit_denominator(SHORT) for weight in weights
+    ]
     exact = [mpf(part.numerator) / part.denominator for part in parts]
     return c + exact[0] * (a - c) + exact[1] * (b - c)
 
@@ -92,8 +105,11 @@ def _nearest(corner, places):
 
 def monomials(s, t):
     """Values and both derivatives of 1, s, t, s^2, s t, t^2: three vectors (6,)."""
-    return (np.array([1, s, t, s * s, s * t, t * t]), np.array([0, 1, 0, 2 * s, t, 0]),
-            np.array([0, 0, 1, 0, s, 2 * t]))
+    return (
+        np.array([1, s, t, s * s, s * t, t * t]),
+        np.array([0, 1, 0, 2 * s, t, 0]),
+        np.array([0, 0, 1, 0, s, 2 * t]),
+    )
 
 
 def solved(corners, numbers, spheres, derivatives):
@@ -109,7 +125,7 @@ def solved(corners, numbers, spheres, derivatives):
         for k, row in enumerate(monomials(*place)):
             equation = np.array([mpf(0)] * 36)
             for part, sign in parts_and_signs:
-                equation[6 * part:6 * part + 6] = sign * row
+                equation[6 * part : 6 * part + 6] = sign * row
             rows.append(equation)
             right.append(value[k])
 

@@ -25,8 +25,10 @@ class QuadraticCones:
         """Those of pn.quadratic_cone_envelope. The weights are powers of two, so this is exact."""
         weights = self.vertex.weights[:, None]
         count = len(self.directions.poles)
-        return (np.hstack([self.vertex.poles * weights, weights]),
-                self.directions.poles.reshape(count, 3, 3))
+        return (
+            np.hstack([self.vertex.poles * weights, weights]),
+            self.directions.poles.reshape(count, 3, 3),
+        )
 
     def distance(self, point):
         """Of a point near the envelope, from the cone whose F = d.M d is stationary in t there.
@@ -81,5 +83,5 @@ def random_cones(random):
     exact = [(matrix + matrix.T) / 2 for matrix in turned]  # symmetric, bit for bit
     size = 10 ** random.uniform(-2, 3)
     return QuadraticCones(
-        Spline.bezier(size * poles @ turn.T, weights),
-        Spline.bezier(np.reshape(exact, (2, 9))))
+        Spline.bezier(size * poles @ turn.T, weights), Spline.bezier(np.reshape(exact, (2, 9)))
+    )

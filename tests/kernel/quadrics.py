@@ -62,10 +62,11 @@ class Quadric:
             others = _product([f for j, f in enumerate(factors) if j != i] * 2)
             own = [x[i], -b[i]]
             numerator = polynomial.polyadd(
-                numerator, polynomial.polymul(others, s[i] * np.array(polynomial.polymul(own, own))))
+                numerator, polynomial.polymul(others, s[i] * np.array(polynomial.polymul(own, own)))
+            )
             numerator = polynomial.polyadd(
-                numerator,
-                polynomial.polymul(_product([others, factors[i]]), 2 * b[i] * np.array(own)))
+                numerator, polynomial.polymul(_product([others, factors[i]]), 2 * b[i] * np.array(own))
+            )
         for root in polynomial.polyroots(polynomial.polytrim(numerator, 1e-300)):
             if abs(root.imag) < 1e-3 * (1 + abs(root.real)):
                 multiplier = self._zero(point, mpf(root.real) * unit)

@@ -49,10 +49,13 @@ class Cones:
             length = norm(arm) if self.radii else mpf(1)
             first, second = arm @ c1 + r1 * length, arm @ c2 + r2 * length
             shrink1, shrink2 = (arm @ c1) / length, (arm @ c2) / length
-            matrix = [[arm @ c11 - c1 @ c1 + r11 * length - r1 * shrink1,
-                       arm @ c12 - c1 @ c2 + r12 * length - r1 * shrink2],
-                      [arm @ c12 - c1 @ c2 + r12 * length - r2 * shrink1,
-                       -c2 @ c2 - r2 * shrink2]]
+            matrix = [
+                [
+                    arm @ c11 - c1 @ c1 + r11 * length - r1 * shrink1,
+                    arm @ c12 - c1 @ c2 + r12 * length - r1 * shrink2,
+                ],
+                [arm @ c12 - c1 @ c2 + r12 * length - r2 * shrink1, -c2 @ c2 - r2 * shrink2],
+            ]
             determinant = matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0]
             step_t = (first * matrix[1][1] - second * matrix[0][1]) / determinant
             step_v = (second * matrix[0][0] - first * matrix[1][0]) / determinant

@@ -190,10 +190,13 @@ def triangulated_skins(random):
     derivatives[:, :, :3] = derivatives[:, :, :3] @ turn.T
     family = pn.sphere_family_powell_sabin(centres, radii, derivatives, triangles, parameters=points)
     surface = _skin(family, random.choice([OUTER, INNER]), random)
-    parts = zip(*pieces(points, np.column_stack([centres, radii]), derivatives, triangles,
-                        family.pieces[0]), strict=True)
-    errors = [_from_spheres(_jet_of(Family(control_spheres(*part))), surface.distance)
-              for part in parts]
+    parts = zip(
+        *pieces(points, np.column_stack([centres, radii]), derivatives, triangles, family.pieces[0]),
+        strict=True,
+    )
+    errors = [
+        _from_spheres(_jet_of(Family(control_spheres(*part))), surface.distance) for part in parts
+    ]
 
     def error(point, u, v):
         # Faces are in the order of the parts, over [i, i + 1]; a part may have more than one. Beside
@@ -267,10 +270,12 @@ def translations(random):
     # In any position: of a plate along the axes only the tangential coordinates are large.
     turn, _ = np.linalg.qr(random.normal(size=(3, 3)))
     flat = random_translation(random)
-    family = Translation(*(
-        replace(c, poles=np.column_stack([c.poles[:, :3] @ turn.T, c.poles[:, 3]]))
-        for c in (flat.c, flat.d)
-    ))
+    family = Translation(
+        *(
+            replace(c, poles=np.column_stack([c.poles[:, :3] @ turn.T, c.poles[:, 3]]))
+            for c in (flat.c, flat.d)
+        )
+    )
     curves = [pn.SphereSpline.bspline(*curve.arguments[:4]) for curve in (family.c, family.d)]
     sign = random.choice([OUTER, INNER])
     surface = _skin(pn.sphere_family_translational(*curves), sign, random)
@@ -288,12 +293,22 @@ def sections(random):
     spine = random_canal(_seed(random), degree, rational=random.random() < 0.3).spine
     up = np.array([1.0, *random.uniform(-0.2, 0.2, 2)])
     normal = None if random.random() < 0.7 else np.array([*random.uniform(-0.2, 0.2, 2), 1.0])
-    axes = [Spline(degree, spine.knots, spine.multiplicities,
-                   random.uniform(1, 3, degree + 1) if random.random() < 0.5
-                   else np.full(degree + 1, random.uniform(1, 3)), spine.weights)
-            for _ in range(2)]
+    axes = [
+        Spline(
+            degree,
+            spine.knots,
+            spine.multiplicities,
+            random.uniform(1, 3, degree + 1)
+            if random.random() < 0.5
+            else np.full(degree + 1, random.uniform(1, 3)),
+            spine.weights,
+        )
+        for _ in range(2)
+    ]
     surface = pn.moving_conic_section(
-        pn.Curve.bspline(*spine.arguments), up=up, normal=normal,
+        pn.Curve.bspline(*spine.arguments),
+        up=up,
+        normal=normal,
         half_axes=tuple(pn.Law.bspline(*axis.arguments) for axis in axes),
     )
 
@@ -318,8 +333,12 @@ def sections(random):
         """The value over its gradient: of second order in the error itself."""
         value, t = inside(point, start)
         step = mpf(10) ** -25
-        gradient = np.array([(inside(point + step * e, t)[0] - value) / step
-                             for e in np.array(np.eye(3), dtype=object)])
+        gradient = np.array(
+            [
+                (inside(point + step * e, t)[0] - value) / step
+                for e in np.array(np.eye(3), dtype=object)
+            ]
+        )
         return abs(value) / norm(gradient)
 
     return Specimen(surface, _nearest(error_from, spine))
@@ -330,8 +349,9 @@ def squared_radii(random):
     degree = int(random.choice(DEGREES[:2]))
     plain = random_canal(_seed(random), degree)
     spine, square = plain.spine, replace(plain.radius, poles=plain.radius.poles**2)
-    surface = pn.moebius_canal_surface(pn.Curve.bspline(*spine.arguments),
-                                       pn.Law.bspline(*square.arguments))
+    surface = pn.moebius_canal_surface(
+        pn.Curve.bspline(*spine.arguments), pn.Law.bspline(*square.arguments)
+    )
 
     def error_from(point, start):
         t = mpf(start)
@@ -353,6 +373,7 @@ def _nearest(error_from, spine):
     A face has a parameter of its own where the conics are real on an interval only: then other places
     of the spine are tried than its first parameter.
     """
+
     def error(point, u, _):
         found = []
         for start in (u, *np.linspace(spine.knots[0], spine.knots[-1], 9)):
@@ -375,6 +396,7 @@ def _from_spheres(jet, distance):
     Where s |x - m| - r is stationary, s the sign of the radius r + d, its value is the distance at
     which x is on a skin.
     """
+
     def error(point, *_):
         return min(_distances(point, jet, mpf(distance)), default=np.inf)
 
@@ -399,8 +421,9 @@ def _foot(point, jet, u, v):
     """Roughly (u, v) of the centre nearest to a point, by the method of Gauss and Newton."""
     for _ in range(GAUSS_NEWTON_STEPS):
         centre, by_u, by_v = (np.array(d[:3], dtype=float) for d in jet(mpf(u), mpf(v))[:3])
-        step, *_ = np.linalg.lstsq(np.stack([by_u, by_v], axis=1),
-                                   np.array(point, dtype=float) - centre, rcond=None)
+        step, *_ = np.linalg.lstsq(
+            np.stack([by_u, by_v], axis=1), np.array(point, dtype=float) - centre, rcond=None
+        )
         u, v = u + step[0], v + step[1]
     return mpf(u), mpf(v)
 
@@ -414,8 +437,9 @@ def _stationary_value(point, side, jet, u, v):
         slopes = [-(ray @ d[:3]) - d[3] for d in first]
 
         def bend(d, e, second):
-            return ((d[:3] @ e[:3] - (ray @ d[:3]) * (ray @ e[:3])) / length
-                    - ray @ second[:3] - second[3])
+            return (
+                (d[:3] @ e[:3] - (ray @ d[:3]) * (ray @ e[:3])) / length - ray @ second[:3] - second[3]
+            )
 
         a, c = bend(first[0], first[0], by_uu), bend(first[1], first[1], by_vv)
         b = bend(first[0], first[1], by_uv)
@@ -428,6 +452,20 @@ def _stationary_value(point, side, jet, u, v):
     raise ArithmeticError("no stationary place")
 
 
-SHAPES = {shape.__name__: shape for shape in
-          (canal, ruled, cones, quadrics, skins, triangulated_skins, envelopes, translations, sections,
-           squared_radii, wavefronts, cone_envelopes)}
+SHAPES = {
+    shape.__name__: shape
+    for shape in (
+        canal,
+        ruled,
+        cones,
+        quadrics,
+        skins,
+        triangulated_skins,
+        envelopes,
+        translations,
+        sections,
+        squared_radii,
+        wavefronts,
+        cone_envelopes,
+    )
+}

@@ -32,8 +32,7 @@ def orientations(surface, places, step=1e-5):
     """(S_u x S_v).n at places (n, 2) of a surface, up to a positive factor, by differences."""
     places = np.asarray(places)
     here, normals = surface.evaluate(*places.T)
-    by_u, by_v = (surface.evaluate(*(places + aside).T)[0] - here
-                  for aside in ([step, 0], [0, step]))
+    by_u, by_v = (surface.evaluate(*(places + aside).T)[0] - here for aside in ([step, 0], [0, step]))
     return (np.cross(by_u, by_v) * normals).sum(axis=1)
 
 
@@ -59,8 +58,11 @@ class Family:
     def second_derivatives(self):
         """By u u, u v and v v of (m, r): three vectors (4,)."""
         b200, b110, b020, b101, b011, b002 = self.control
-        return (2 * (b200 - 2 * b101 + b002), 2 * (b110 - b101 - b011 + b002),
-                2 * (b020 - 2 * b011 + b002))
+        return (
+            2 * (b200 - 2 * b101 + b002),
+            2 * (b110 - b101 - b011 + b002),
+            2 * (b020 - 2 * b011 + b002),
+        )
 
     def normal(self, u, v, sign):
         """The unit normal n with n.m_u + r_u = n.m_v + r_v = 0 and the sign of n.(m_u x m_v)."""
@@ -73,6 +75,7 @@ class Family:
 
     def parameters(self, point, sign, distance, start):
         """(u, v) of the point of the skin nearest to `point`, by Newton's method."""
+
         def residues(u, v):
             away = point - self.point(u, v, sign, distance)
             _, by_u, by_v = self.sphere(u, v)

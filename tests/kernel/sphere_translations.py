@@ -39,15 +39,21 @@ class Translation:
 
     def places(self, count):
         """So many (u, v) in each span of either curve, away from the joints."""
+
         def inside(curve):
             parts = (np.arange(count) + 0.5) / count
-            return np.concatenate([low + (high - low) * parts
-                                   for low, high in zip(curve.knots, curve.knots[1:],
-                                                        strict=False)])
+            return np.concatenate(
+                [
+                    low + (high - low) * parts
+                    for low, high in zip(curve.knots, curve.knots[1:], strict=False)
+                ]
+            )
+
         return [(u, v) for u in inside(self.c) for v in inside(self.d)]
 
     def parameters(self, point, sign, distance):
         """(u, v) of the point of the skin nearest to `point`, by Newton's method."""
+
         def gap(place):
             return float(sum((self.point(*place, sign, distance) - point) ** 2))
 
@@ -80,8 +86,9 @@ def arch(random, direction, spans=1, sag=0.05, side=100):
     centres[:, 2] += side * sag * 4 * parts * (1 - parts) * random.uniform(0.9, 1.1, parts.shape)
     radii = 0.015 * side * random.uniform(0.75, 1.25, parts.shape)
     spheres = np.column_stack([centres, radii])
-    return Spline(2, tuple(range(spans + 1)), (3, *[1] * (spans - 1), 3), spheres,
-                  np.ones(len(spheres)))
+    return Spline(
+        2, tuple(range(spans + 1)), (3, *[1] * (spans - 1), 3), spheres, np.ones(len(spheres))
+    )
 
 
 def random_translation(random, spans=(1, 1), sag=0.05):
@@ -89,5 +96,9 @@ def random_translation(random, spans=(1, 1), sag=0.05):
     angle = random.uniform(0.87, 1.31)
     directions = np.array([1, 0, 0]), np.array([np.cos(angle), np.sin(angle), 0])
     signs = random.choice([-1, 1], 2)
-    return Translation(*(arch(random, direction, count, sag * sign) for direction, count, sign
-                         in zip(directions, spans, signs, strict=True)))
+    return Translation(
+        *(
+            arch(random, direction, count, sag * sign)
+            for direction, count, sign in zip(directions, spans, signs, strict=True)
+        )
+    )

@@ -75,11 +75,20 @@ class Spline:
         """For every span the homogeneous components over Q in the parameter, the weight last."""
         knots = flat_knots([Fraction(knot) for knot in self.knots], self.multiplicities)
         coordinates = self.poles.reshape(len(self.poles), -1)
-        homogeneous = np.array([[*(Fraction(c) * Fraction(w) for c in row), Fraction(w)]
-                                for row, w in zip(coordinates, self.weights, strict=True)])
+        homogeneous = np.array(
+            [
+                [*(Fraction(c) * Fraction(w) for c in row), Fraction(w)]
+                for row, w in zip(coordinates, self.weights, strict=True)
+            ]
+        )
         ends = np.cumsum(self.multiplicities[:-1]) - 1
-        return [[_de_boor(component, knots, last)
-                 for component in homogeneous[last - self.degree : last + 1].T] for last in ends]
+        return [
+            [
+                _de_boor(component, knots, last)
+                for component in homogeneous[last - self.degree : last + 1].T
+            ]
+            for last in ends
+        ]
 
     @cached_property
     def _span_jets(self):
@@ -87,8 +96,10 @@ class Spline:
 
     def derivatives(self, t, span):
         """Value, first and second derivative of a span at t, as vectors of 60 digits."""
-        components = np.array([[polyval(t, derivative) for derivative in jet]
-                               for jet in self._span_jets[span]], dtype=object).T
+        components = np.array(
+            [[polyval(t, derivative) for derivative in jet] for jet in self._span_jets[span]],
+            dtype=object,
+        ).T
         (*p, q), (*p1, q1), (*p2, q2) = components
         value = np.array(p) / q
         first = (np.array(p1) - value * q1) / q
@@ -105,8 +116,9 @@ def _de_boor(controls, knots, last):
             low, high = knots[last - degree + j], knots[last + 1 + j - level]
             rising = np.array([-low, Fraction(1)]) / (high - low)
             falling = np.array([high, Fraction(-1)]) / (high - low)
-            polynomials[j] = polyadd(polymul(falling, polynomials[j - 1]),
-                                     polymul(rising, polynomials[j]))
+            polynomials[j] = polyadd(
+                polymul(falling, polynomials[j - 1]), polymul(rising, polynomials[j])
+            )
     return polynomials[degree]
 
 

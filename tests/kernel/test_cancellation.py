@@ -21,7 +21,8 @@ def long_spine(spans=2000):
 def test_the_result_comes_back():
     cancellation = pn.Cancellation()
     surface = cancellation.run(
-        lambda: pn.canal_surface(long_spine(3), pn.Law.constant(0.5)).offset(0.125))
+        lambda: pn.canal_surface(long_spine(3), pn.Law.constant(0.5)).offset(0.125)
+    )
     assert surface.distance == 0.125
     assert not cancellation.is_requested
 

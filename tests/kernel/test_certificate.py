@@ -15,8 +15,14 @@ from canal import Canal, face_parameters, random_canal
 from splines import Spline, surface_point
 
 FACE_ATTRIBUTES = (
-    "u_degree", "v_degree", "u_knots", "u_multiplicities", "v_knots", "v_multiplicities",
-    "poles", "weights",
+    "u_degree",
+    "v_degree",
+    "u_knots",
+    "u_multiplicities",
+    "v_knots",
+    "v_multiplicities",
+    "poles",
+    "weights",
 )
 LOOSEST = 1e-12  # of the size: a few hundred ulps, as much as poles of a spine far off may cost
 
@@ -32,6 +38,7 @@ def deviations(canal, surface, faces, random, count, locate):
 
 def measured(canal, surface, random, count=6, lines="even"):
     """The largest distance, where the faces run with the spine's own parameter."""
+
     def locate(_, __, u):
         return u, canal.spine.span_at(u)
 
@@ -90,8 +97,10 @@ def test_taper_with_odd_real_roots(spine):
 @pytest.mark.parametrize("size", [1e-6, 1e-3, 1e3, 1e6])
 def test_sizes(size):
     canal = random_canal(7, 3)
-    scaled = Canal(replace(canal.spine, poles=size * canal.spine.poles),
-                   replace(canal.radius, poles=size * canal.radius.poles))
+    scaled = Canal(
+        replace(canal.spine, poles=size * canal.spine.poles),
+        replace(canal.radius, poles=size * canal.radius.poles),
+    )
     surface = scaled.surface()
     assert_certified(scaled, surface, measured(scaled, surface, np.random.default_rng(0)))
 
@@ -99,8 +108,10 @@ def test_sizes(size):
 @pytest.mark.parametrize("factor", [1e-200, 1e-9, 1e9, 1e200])
 def test_weights_of_any_magnitude(factor):
     canal = random_canal(8, 3, rational=True)
-    heavy = Canal(replace(canal.spine, weights=factor * canal.spine.weights),
-                  replace(canal.radius, weights=factor * canal.radius.weights))
+    heavy = Canal(
+        replace(canal.spine, weights=factor * canal.spine.weights),
+        replace(canal.radius, weights=factor * canal.radius.weights),
+    )
     surface = heavy.surface()
     assert surface.degree == canal.surface().degree
     assert_certified(heavy, surface, measured(heavy, surface, np.random.default_rng(0)))

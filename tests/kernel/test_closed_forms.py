@@ -22,8 +22,9 @@ def quarters(count):
 
 def circle(radius, count=4):
     """An exact circular arc of so many quarters."""
-    return Spline.joined([radius * quarter for quarter in quarters(count)],
-                         [EXACT_WEIGHTS[i % 2] for i in range(count)])
+    return Spline.joined(
+        [radius * quarter for quarter in quarters(count)], [EXACT_WEIGHTS[i % 2] for i in range(count)]
+    )
 
 
 def curve(spline):
@@ -36,8 +37,9 @@ def law(spline):
 
 def points(faces, count=25):
     random = np.random.default_rng(0)
-    return [surface_point(face, u, v) for face in faces
-            for u, v in face_parameters(face, random, count)]
+    return [
+        surface_point(face, u, v) for face in faces for u, v in face_parameters(face, random, count)
+    ]
 
 
 def assert_equation(surface, distance_to):
@@ -79,8 +81,7 @@ def test_cone():
     surface = pn.canal_surface(spine, radius)
     sine = mpf(1) / 4
     cosine = mpmath.sqrt(1 - sine**2)
-    assert_equation(surface,
-                    lambda x, d: mpmath.hypot(x[0], x[1]) * cosine - x[2] * sine - 2 - d)
+    assert_equation(surface, lambda x, d: mpmath.hypot(x[0], x[1]) * cosine - x[2] * sine - 2 - d)
     assert list(surface.degree) == [1, 2]
     assert surface.regular_range[0] == pytest.approx(-2, abs=1e-6)
 

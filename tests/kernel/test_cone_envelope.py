@@ -53,8 +53,7 @@ def test_points_are_the_cones_of_radius_zero():
 
 def test_cylinders_of_one_radius_envelop_an_offset():
     first, second = random_pair(5, 3, noise=0.3)
-    radius = Spline(1, (first.knots[0], first.knots[-1]), (2, 2), np.array([0.75, 0.75]),
-                    np.ones(2))
+    radius = Spline(1, (first.knots[0], first.knots[-1]), (2, 2), np.array([0.75, 0.75]), np.ones(2))
     curves = [pn.Curve.bspline(*spline.arguments) for spline in (first, second)]
     law = pn.Law.bspline(*radius.arguments)
     cylinders = pn.cone_envelope(curves[0], law, curves[1], law)
@@ -87,8 +86,7 @@ def test_refusals_name_their_reason():
     one, law = pn.Law.constant(1), pn.Law.bezier
     inside = refused("radius_too_steep", lambda: pn.cone_envelope(low, one, high, pn.Law.constant(8)))
     assert "inside the other" in inside
-    steep = refused("radius_too_steep",
-                    lambda: pn.cone_envelope(low, law([1, 6]), high, law([1, 6])))
+    steep = refused("radius_too_steep", lambda: pn.cone_envelope(low, law([1, 6]), high, law([1, 6])))
     assert "more slowly" in steep
     longer = pn.Curve.bspline(1, [0, 3], [2, 2], [[0, 5, 0], [4, 5, 3]])
     refused("domain_mismatch", lambda: pn.cone_envelope(low, one, longer, law([1, 2])))

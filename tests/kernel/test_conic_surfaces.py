@@ -7,14 +7,7 @@ import numpy as np
 import pnkernel as pn
 import pnocct
 import pytest
-from conics import (
-    beyond_cut,
-    parameter_of,
-    random_arcs,
-    random_ellipses,
-    residual,
-    upright_frame,
-)
+from conics import beyond_cut, parameter_of, random_arcs, random_ellipses, residual, upright_frame
 from splines import surface_point
 from test_errors import refused
 
@@ -96,9 +89,7 @@ def test_neighbouring_spans_share_their_conic_bit_for_bit(seed, lines):
     second[0] = 3 * first[-1]
     raised = upright_frame(7)
     raised[:, 2, 0] += 10
-    surface = pn.conic_surface_of_spans(
-        [(upright_frame(10), first, None), (raised, second, None)]
-    )
+    surface = pn.conic_surface_of_spans([(upright_frame(10), first, None), (raised, second, None)])
     faces = surface.bsplines(lines)
     left = [face for face in faces if face.u_knots[-1] == 1]
     right = [face for face in faces if face.u_knots[0] == 1]
@@ -141,7 +132,7 @@ def test_normals_are_those_of_the_equation():
     points, normals = surface.evaluate(t.ravel(), v.ravel())
     for (x, y, z), normal in zip(points, normals, strict=True):
         a, b = 4 + 5 * z / 10, 9 - 3 * z / 10
-        gradient = np.array([2 * x / a, 2 * y / b, -(x / a) ** 2 * 0.5 + (y / b) ** 2 * 0.3])
+        gradient = np.array([2 * x / a, 2 * y / b, -((x / a) ** 2) * 0.5 + (y / b) ** 2 * 0.3])
         assert normal @ gradient / np.linalg.norm(gradient) == pytest.approx(1, abs=1e-12)
 
 
@@ -242,9 +233,12 @@ def test_neighbouring_arcs_hang_together(seed, lines):
     refused("gap", lambda: pn.conic_surface_of_spans([spans[0], (raised, second[0], shifted)]))
     ellipses = random_arcs(random, 1, (0.5, 0.5))
     opposite = ellipses[0], -ellipses[1]
-    refused("gap", lambda: pn.conic_surface_of_spans([
-        (upright_frame(4), *[part[::-1] for part in ellipses]), (raised, *opposite)
-    ]))
+    refused(
+        "gap",
+        lambda: pn.conic_surface_of_spans(
+            [(upright_frame(4), *[part[::-1] for part in ellipses]), (raised, *opposite)]
+        ),
+    )
 
 
 @pytest.mark.parametrize("lines", ["even", "lowest_degree"])
@@ -310,13 +304,10 @@ def test_refusals_say_why():
     refused("no_real_points", lambda: pn.conic_surface(frame, np.array([circle, np.eye(3)])))
     refused("not_rational", lambda: pn.conic_surface(frame, circle[None]).offset(1))
     hyperbola = refused(
-        "region_unbounded",
-        lambda: pn.conic_surface(frame, np.array([circle, np.diag([-1.0, 1, -1])])),
+        "region_unbounded", lambda: pn.conic_surface(frame, np.array([circle, np.diag([-1.0, 1, -1])]))
     )
     assert "t = 0.5" in hyperbola
-    gap = refused(
-        "gap", lambda: pn.conic_surface_of_spans([(frame, circle[None], None)] * 2)
-    )
+    gap = refused("gap", lambda: pn.conic_surface_of_spans([(frame, circle[None], None)] * 2))
     assert "Span 2" in gap
 
 

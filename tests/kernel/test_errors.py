@@ -169,8 +169,10 @@ def test_radius_as_steep_as_the_spine():
 def test_nearly_pinched_is_exact_or_refused_but_never_wrong():
     spine = pn.Curve.bezier([[0, 0, 0], [0, 0, 15]])
     for slack in (1e-3, 1e-6, 1e-9):
-        refused("radius_too_steep",
-                lambda: pn.canal_surface(spine, pn.Law.bezier([1, 5 - slack, 11 + slack, 15])))
+        refused(
+            "radius_too_steep",
+            lambda: pn.canal_surface(spine, pn.Law.bezier([1, 5 - slack, 11 + slack, 15])),
+        )
         surface = pn.canal_surface(spine, pn.Law.bezier([1, 5 + slack, 11 - slack, 15]))
         assert surface.certificate.deviation < 1e-12
 

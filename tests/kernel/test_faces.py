@@ -13,13 +13,21 @@ from splines import Spline, surface_point
 
 LEAST_WEIGHT_RATIO = 0.01
 
-CORNERED = Spline.joined([[[0, 0, 0], [3, 0, 1], [6, 0, 0], [8, 1, 0]],
-                          [[8, 1, 0], [8, 4, 0], [7, 6, 2], [8, 9, 2]],
-                          [[8, 9, 2], [9, 12, 2], [9, 14, 4], [9, 17, 7]]])
-CLOSED = Spline.joined([[[5, 0, 0], [5, 3, 1], [3, 5, 1], [0, 5, 0]],
-                        [[0, 5, 0], [-3, 5, -1], [-5, 3, 0], [-5, 0, 0]],
-                        [[-5, 0, 0], [-5, -3, 0], [-3, -5, 1], [0, -5, 0]],
-                        [[0, -5, 0], [3, -5, -1], [5, -3, -1], [5, 0, 0]]])
+CORNERED = Spline.joined(
+    [
+        [[0, 0, 0], [3, 0, 1], [6, 0, 0], [8, 1, 0]],
+        [[8, 1, 0], [8, 4, 0], [7, 6, 2], [8, 9, 2]],
+        [[8, 9, 2], [9, 12, 2], [9, 14, 4], [9, 17, 7]],
+    ]
+)
+CLOSED = Spline.joined(
+    [
+        [[5, 0, 0], [5, 3, 1], [3, 5, 1], [0, 5, 0]],
+        [[0, 5, 0], [-3, 5, -1], [-5, 3, 0], [-5, 0, 0]],
+        [[-5, 0, 0], [-5, -3, 0], [-3, -5, 1], [0, -5, 0]],
+        [[0, -5, 0], [3, -5, -1], [5, -3, -1], [5, 0, 0]],
+    ]
+)
 
 SURFACES = {
     "one span": lambda: random_canal(0, 3).surface(),
@@ -28,7 +36,8 @@ SURFACES = {
     "corners": lambda: pn.canal_surface(pn.Curve.bspline(*CORNERED.arguments), pn.Law.constant(1)),
     "closed": lambda: pn.canal_surface(pn.Curve.bspline(*CLOSED.arguments), pn.Law.constant(1)),
     "substituted": lambda: pn.canal_surface(
-        pn.Curve.bezier([[0, 0, 0], [1, 0, 2], [0, 0, 4]]), pn.Law.bezier([2, 1.5, 3])),
+        pn.Curve.bezier([[0, 0, 0], [1, 0, 2], [0, 0, 4]]), pn.Law.bezier([2, 1.5, 3])
+    ),
 }
 
 
@@ -38,8 +47,10 @@ def surface(request):
 
 
 def bits(surface, lines):
-    return [(face.poles.tobytes(), face.weights.tobytes(), face.u_knots.tobytes(),
-             face.v_knots.tobytes()) for face in surface.bsplines(lines)]
+    return [
+        (face.poles.tobytes(), face.weights.tobytes(), face.u_knots.tobytes(), face.v_knots.tobytes())
+        for face in surface.bsplines(lines)
+    ]
 
 
 @pytest.mark.parametrize("lines", ["even", "lowest_degree"])
@@ -112,8 +123,9 @@ def test_lowest_degree_faces(surface, distance):
     # The lines stay where the algebra puts them, or turn linearly where weights or closing ask for
     # it; zones of spheres are of a lower degree.
     assert max(face.u_degree for face in strips[0]) in (along, along + 2)
-    assert all(face.u_degree <= along + 2 and face.v_degree == around
-               for strip in strips for face in strip)
+    assert all(
+        face.u_degree <= along + 2 and face.v_degree == around for strip in strips for face in strip
+    )
     for strip in strips:
         for face, neighbour in zip(strip, strip[1:] + strip[:1]):
             assert np.array_equal(face.poles[:, -1], neighbour.poles[:, 0])
@@ -133,8 +145,10 @@ def test_faces_turn_their_normal_outwards(lines):
     canal = random_canal(4, 3)
     step = mpf(10) ** -25
     for face in canal.surface().bsplines(lines):
-        u, v = (mpf(knots[0]) + mpf("0.37") * (mpf(knots[-1]) - mpf(knots[0]))
-                for knots in (face.u_knots, face.v_knots))
+        u, v = (
+            mpf(knots[0]) + mpf("0.37") * (mpf(knots[-1]) - mpf(knots[0]))
+            for knots in (face.u_knots, face.v_knots)
+        )
         point = surface_point(face, u, v)
         along = (surface_point(face, u + step, v) - point) / step
         around = (surface_point(face, u, v + step) - point) / step
@@ -169,8 +183,9 @@ def test_same_bits_in_repeated_runs(surface):
 def test_same_bits_from_many_threads():
     distances = [0.1 * i for i in range(16)]
     alone = SURFACES["spans"]()
-    expected = [bits(alone.offset(d), "even") + bits(alone.offset(d), "lowest_degree")
-                for d in distances]
+    expected = [
+        bits(alone.offset(d), "even") + bits(alone.offset(d), "lowest_degree") for d in distances
+    ]
     shared = SURFACES["spans"]()
 
     def work(d):
@@ -180,7 +195,8 @@ def test_same_bits_from_many_threads():
     with ThreadPoolExecutor(8) as pool:
         assert list(pool.map(work, distances)) == expected
         assert list(pool.map(lambda _: bits(SURFACES["spans"](), "even"), range(8))) == (
-            [bits(alone, "even")] * 8)
+            [bits(alone, "even")] * 8
+        )
 
 
 def test_certificate_describes_the_even_faces(surface):
@@ -189,8 +205,10 @@ def test_certificate_describes_the_even_faces(surface):
     assert certificate.exact
     assert 0 < certificate.deviation < 1e-12
     assert certificate.precision_bits >= 128
-    assert tuple(certificate.bidegree) == (max(face.u_degree for face in faces),
-                                           max(face.v_degree for face in faces))
+    assert tuple(certificate.bidegree) == (
+        max(face.u_degree for face in faces),
+        max(face.v_degree for face in faces),
+    )
     assert certificate.poles == sum(face.weights.size for face in faces)
 
 

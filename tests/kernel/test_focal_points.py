@@ -10,7 +10,8 @@ from rulings import Cones, random_pair
 SURFACES = {
     "cubic pipe": lambda: pn.canal_surface(
         pn.Curve.bezier([[0, 0, 0], [15, 5, 0], [20, 15, 5], [20, 20, 0]]),
-        pn.Law.bezier([2, 1.8, 2, 2.5])),
+        pn.Law.bezier([2, 1.8, 2, 2.5]),
+    ),
     "random horn": lambda: random_canal(5, 3, 1).surface(),
     "random horn of three spans": lambda: random_canal(6, 4, 3).surface(),
     "rational horn": lambda: random_canal(7, 3, 1, rational=True).surface(),

@@ -42,8 +42,10 @@ class SpinorLattice:
 
     def circle(self, t):
         """M and R at t."""
-        return (np.array([polyval(t, in_digits(component)) for component in self.m]),
-                polyval(t, in_digits(self.r)))
+        return (
+            np.array([polyval(t, in_digits(component)) for component in self.m]),
+            polyval(t, in_digits(self.r)),
+        )
 
     def hermitian(self, t):
         (m1, m2, m3), r = self.circle(t)
@@ -67,8 +69,11 @@ class SpinorLattice:
             rows.append([x / length for x in row])
         system = mpmath.matrix(rows)
         values, vectors = mpmath.eighe(system.H * system)
-        return [np.array(vectors[:, j]).reshape(degree + 1, 2)
-                for j in range(len(values)) if values[j] < RANK_GAP]
+        return [
+            np.array(vectors[:, j]).reshape(degree + 1, 2)
+            for j in range(len(values))
+            if values[j] < RANK_GAP
+        ]
 
     def larger_column_degree(self, choice):
         least = next(e for e in range(self.index + 1) if self.spinors(choice, e))

@@ -24,8 +24,9 @@ def test_curve_domain_breaks_and_degree():
 def test_degree_is_that_of_the_data():
     # A straight line written as a cubic is of degree 1, at even speed.
     assert pn.Curve.bezier([[0, 0, 0], [0, 0, 1], [0, 0, 2], [0, 0, 3]]).degree == 1
-    raised = pn.canal_surface(pn.Curve.bezier([[0, 0, 0], [0, 0, 1], [0, 0, 2], [0, 0, 3]]),
-                              pn.Law.bezier([1, 1.5, 2]))
+    raised = pn.canal_surface(
+        pn.Curve.bezier([[0, 0, 0], [0, 0, 1], [0, 0, 2], [0, 0, 3]]), pn.Law.bezier([1, 1.5, 2])
+    )
     plain = pn.canal_surface(pn.Curve.bezier([[0, 0, 0], [0, 0, 3]]), pn.Law.bezier([1, 2]))
     assert list(raised.degree) == list(plain.degree) == [1, 2]
 
@@ -42,8 +43,9 @@ def test_a_chain_is_its_spans():
     poles = np.array([[0, 0, 0], [1, 0, 3], [2, 2, 5], [1, 4, 8.0]])
     whole = pn.canal_surface(pn.Curve.bezier(poles), pn.Law.constant(0.5))
     left, right = halves(poles)
-    parts = pn.canal_surface(pn.Curve.chain([pn.Curve.bezier(left), pn.Curve.bezier(right)]),
-                             pn.Law.constant(0.5))
+    parts = pn.canal_surface(
+        pn.Curve.chain([pn.Curve.bezier(left), pn.Curve.bezier(right)]), pn.Law.constant(0.5)
+    )
     t = np.linspace(0, 1, 9)
     points, normals = parts.evaluate(2 * t, np.full(9, 1.0))
     assert list(parts.degree) == list(whole.degree)
@@ -70,8 +72,11 @@ def bezier_point(poles, t):
 
 def test_equal_weights_change_nothing():
     plain = random_canal(2, 3)
-    weighted = replace(plain, spine=replace(plain.spine, weights=2 * plain.spine.weights),
-                       radius=replace(plain.radius, weights=3 * plain.radius.weights))
+    weighted = replace(
+        plain,
+        spine=replace(plain.spine, weights=2 * plain.spine.weights),
+        radius=replace(plain.radius, weights=3 * plain.radius.weights),
+    )
     surface = weighted.surface()
     assert list(surface.degree) == list(plain.surface().degree) == [5, 2]
     (face,) = surface.bsplines()
@@ -103,11 +108,26 @@ def test_distance_and_offset():
 
 
 def test_every_name_of_the_interface_is_documented():
-    for thing in (pn, pn.Curve, pn.Law, pn.PNSurface, pn.BSplineSurface, pn.Certificate,
-                  pn.GeometryError, pn.canal_surface, pn.Curve.bezier, pn.Curve.bspline,
-                  pn.Curve.chain, pn.Law.constant, pn.Law.bezier, pn.Law.bspline,
-                  pn.PNSurface.offset,
-                  pn.PNSurface.evaluate, pn.PNSurface.bsplines, pn.PNSurface.regular_range):
+    for thing in (
+        pn,
+        pn.Curve,
+        pn.Law,
+        pn.PNSurface,
+        pn.BSplineSurface,
+        pn.Certificate,
+        pn.GeometryError,
+        pn.canal_surface,
+        pn.Curve.bezier,
+        pn.Curve.bspline,
+        pn.Curve.chain,
+        pn.Law.constant,
+        pn.Law.bezier,
+        pn.Law.bspline,
+        pn.PNSurface.offset,
+        pn.PNSurface.evaluate,
+        pn.PNSurface.bsplines,
+        pn.PNSurface.regular_range,
+    ):
         assert thing.__doc__ and thing.__doc__.strip()
 
 
@@ -135,7 +155,9 @@ def bernstein(coefficients, s):
 def test_spans_of_a_curve_are_the_curve():
     radius, weight = 5.0, np.sqrt(0.5)
     arc = pn.Curve.bspline(
-        2, [1, 3, 4], [3, 2, 3],
+        2,
+        [1, 3, 4],
+        [3, 2, 3],
         radius * np.array([[1, 0, 0], [1, 1, 0], [0, 1, 0], [-1, 1, 0], [-1, 0, 0]]),
         [1, weight, 1, weight, 1],
     )

@@ -41,7 +41,9 @@ def test_a_killed_export_leaves_a_whole_file(steps, tmp_path, request):
     path = tmp_path / "tube.step"
     pnocct.write_step(path, [pnocct.shell(tubes(OLD))], ["tube"])
     with subprocess.Popen(
-        [sys.executable, "-c", EXPORT, path, str(NEXT)], stdout=subprocess.PIPE, text=True,
+        [sys.executable, "-c", EXPORT, path, str(NEXT)],
+        stdout=subprocess.PIPE,
+        text=True,
         cwd=request.path.parent,
     ) as process:
         for _ in range(steps):

@@ -61,8 +61,12 @@ def patch(point, weight=sympy.Integer(1)):
     m, n = (max(a.shape[k] for a in arrays) for k in (0, 1))
 
     def matrix(size):
-        return np.array([[comb(i, j) / comb(size - 1, j) if j <= i else 0 for j in range(size)]
-                         for i in range(size)])
+        return np.array(
+            [
+                [comb(i, j) / comb(size - 1, j) if j <= i else 0 for j in range(size)]
+                for i in range(size)
+            ]
+        )
 
     poles = []
     for a in arrays:
@@ -83,8 +87,12 @@ def mirror_points(mirror, u, v):
     homogeneous = np.concatenate([mirror.poles * weights[..., None], weights[..., None]], axis=-1)
 
     def at(u, v):
-        x = np.einsum("ni,nj,ijk->nk", bernstein_basis(mirror.u_degree, u),
-                      bernstein_basis(mirror.v_degree, v), homogeneous)
+        x = np.einsum(
+            "ni,nj,ijk->nk",
+            bernstein_basis(mirror.u_degree, u),
+            bernstein_basis(mirror.v_degree, v),
+            homogeneous,
+        )
         return x[:, :3] / x[:, 3:]
 
     step = 1e-5
@@ -139,7 +147,8 @@ def test_planes_and_mirror_give_the_cyclide_of_the_literature():
     optics, paraboloid = formulas("optics", a=a, b=b), formulas("paraboloid", a=a, b=b)
     from_planes = pn.pn_surface(
         [coefficients(x) for x in (a * U, b * V, sympy.Integer(1), sympy.Integer(0))],
-        coefficients(optics.h))
+        coefficients(optics.h),
+    )
     reflected = pn.mirror(patch(paraboloid.p), direction=(0, 0, 1))
     u, v = parameters(np.random.default_rng(1))
     point, normal = from_planes.evaluate(u, v)
@@ -172,13 +181,16 @@ def test_both_sheets_of_a_mos_surface():
 def test_a_radius_function_makes_a_mos_surface_along_a_surface_from_planes():
     example = formulas("radius")
     a, b, c, d = example.qa, example.qb, example.qc, example.qd
-    normal = sympy.Matrix([2 * (a * c + b * d), 2 * (b * c - a * d), a**2 + b**2 - c**2 - d**2])
+    normal = sympy.Matrix(
+        [2 * (a * c + b * d), 2 * (b * c - a * d), a**2 + b**2 - c**2 - d**2]
+    )
     length = a**2 + b**2 + c**2 + d**2
     equations = sympy.Matrix([list(n) for n in (normal, normal.diff(U), normal.diff(V))])
     levels = sympy.Matrix([example.h, example.h.diff(U), example.h.diff(V)])
     centre = equations.LUsolve(levels) + example.wf * normal
-    sheets = pn.mos_envelope([quotient(sympy.cancel(x)) for x in centre],
-                             quotient(example.wf * length))
+    sheets = pn.mos_envelope(
+        [quotient(sympy.cancel(x)) for x in centre], quotient(example.wf * length)
+    )
     surface = pn.pn_surface([coefficients(x) for x in (a, b, c, d)], coefficients(example.h))
     u, v = parameters(np.random.default_rng(3))
     point, normals = surface.evaluate(u, v)
@@ -231,8 +243,9 @@ def test_the_universal_parametrization(name):
     length = a**2 + b**2 + c**2 + d**2
     # Off the parameters where the normals are stationary.
     moved = {U: U + 2, V: V - 1}
-    a, b, c, d, h = (sympy.expand(sympy.sympify(x).subs(moved, simultaneous=True))
-                     for x in (a, b, c, d, example.h))
+    a, b, c, d, h = (
+        sympy.expand(sympy.sympify(x).subs(moved, simultaneous=True)) for x in (a, b, c, d, example.h)
+    )
     surface = pn.pn_surface([coefficients(x) for x in (a, b, c, d)], coefficients(h))
     u, v = parameters(np.random.default_rng(6))
     faces = surface.bsplines()
@@ -260,9 +273,15 @@ def test_regular_range_of_light_from_the_axis_ends_at_the_focus():
 
 def test_a_spline_mirror_gives_a_face_for_every_span():
     face = SimpleNamespace(
-        u_degree=2, v_degree=1, u_knots=[0, 1, 2], v_knots=[0, 1], u_multiplicities=[3, 1, 3],
-        v_multiplicities=[2, 2], weights=None,
-        poles=np.array([[[i, 3 * j, 0.1 * i * i] for j in range(2)] for i in range(4)], dtype=float))
+        u_degree=2,
+        v_degree=1,
+        u_knots=[0, 1, 2],
+        v_knots=[0, 1],
+        u_multiplicities=[3, 1, 3],
+        v_multiplicities=[2, 2],
+        weights=None,
+        poles=np.array([[[i, 3 * j, 0.1 * i * i] for j in range(2)] for i in range(4)], dtype=float),
+    )
     wavefront = pn.mirror(face, direction=(0, 0.1, -1), start=(0, 0, 5)).offset(6)
     assert len(wavefront.bsplines()) == 2
     v = np.linspace(0, 1, 7)
@@ -274,16 +293,19 @@ def test_a_spline_mirror_gives_a_face_for_every_span():
 PLANE = bezier([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0]]])
 
 
-@pytest.mark.parametrize("code, light", [
-    ("grazing_light", {"direction": (1, 2, 0)}),
-    ("grazing_light", {"source": (4, 4, 0)}),
-    ("light_on_mirror", {"source": (0.25, 0.25, 0)}),
-    ("light_on_mirror", {"source": (1, 1, 0)}),
-    ("zero_length", {"source": (0, 0, 2)}),
-    ("zero_length", {"direction": (0, 0, 0)}),
-    ("not_finite", {"direction": (NAN, 0, 1)}),
-    ("not_finite", {"source": (0, INFINITY, 1)}),
-])
+@pytest.mark.parametrize(
+    "code, light",
+    [
+        ("grazing_light", {"direction": (1, 2, 0)}),
+        ("grazing_light", {"source": (4, 4, 0)}),
+        ("light_on_mirror", {"source": (0.25, 0.25, 0)}),
+        ("light_on_mirror", {"source": (1, 1, 0)}),
+        ("zero_length", {"source": (0, 0, 2)}),
+        ("zero_length", {"direction": (0, 0, 0)}),
+        ("not_finite", {"direction": (NAN, 0, 1)}),
+        ("not_finite", {"source": (0, INFINITY, 1)}),
+    ],
+)
 def test_light_that_is_not_reflected(code, light):
     refused(code, lambda: pn.mirror(PLANE, **light))
 

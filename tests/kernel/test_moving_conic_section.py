@@ -29,7 +29,8 @@ def test_points_are_on_the_ellipses_of_their_sections(lines):
     up = np.array([mpf(x) for x in (0.1, 0.2, 1)])
     widths, heights = (12, 20, 8), (6, 9)
     surface = pn.moving_conic_section(
-        pn.Curve.bspline(*CUBIC.arguments), up=(0.1, 0.2, 1),
+        pn.Curve.bspline(*CUBIC.arguments),
+        up=(0.1, 0.2, 1),
         half_axes=(pn.Law.bezier(widths), pn.Law.bezier(heights)),
     )
     assert surface.degree == (9, 2)
@@ -70,7 +71,8 @@ def test_sections_from_the_vertex_change_their_type():
     # From hyperbolas by a parabola to ellipses.
     radius, constant, depth = (10, 14), (-2.5, 0.5), 5
     surface = pn.moving_conic_section(
-        LINE, up=(0, 1, 0),
+        LINE,
+        up=(0, 1, 0),
         vertex=(pn.Law.bezier(radius), pn.Law.bezier(constant), pn.Law.constant(depth)),
     )
     (face,) = surface.bsplines()
@@ -101,14 +103,15 @@ def test_planes_are_of_one_kind():
     axes = pn.Law.constant(2), pn.Law.constant(1)
     for planes, normal in (("upright", (0, 0, 1)), ("tilted", None)):
         with pytest.raises(ValueError, match="planes must be"):
-            pn.moving_conic_section(
-                LINE, up=(0, 1, 0), planes=planes, normal=normal, half_axes=axes)
+            pn.moving_conic_section(LINE, up=(0, 1, 0), planes=planes, normal=normal, half_axes=axes)
 
 
 def test_upright_sections_from_the_vertex_of_a_spine_in_space():
     up = (0.1, 0.2, 1)
     surface = pn.moving_conic_section(
-        pn.Curve.bspline(*CUBIC.arguments), up=up, planes="upright",
+        pn.Curve.bspline(*CUBIC.arguments),
+        up=up,
+        planes="upright",
         vertex=(pn.Law.constant(8), pn.Law.constant(-1.5), pn.Law.constant(4)),
     )
     deviation = surface.certificate.deviation
@@ -131,10 +134,16 @@ def test_upright_sections_from_the_vertex_of_a_spine_in_space():
 
 def test_refusals_name_the_place():
     one = pn.Law.constant(1)
-    sentence = refused("bad_axis", lambda: pn.moving_conic_section(
-        LINE, up=(0, 1, 0), half_axes=(pn.Law.bezier([1, -1]), one)))
+    sentence = refused(
+        "bad_axis",
+        lambda: pn.moving_conic_section(LINE, up=(0, 1, 0), half_axes=(pn.Law.bezier([1, -1]), one)),
+    )
     assert "negative at parameters 0.5 to 1" in sentence
     refused("bad_axis", lambda: pn.moving_conic_section(LINE, up=(0, 0, 1), half_axes=(one, one)))
-    sentence = refused("not_rational", lambda: pn.moving_conic_section(
-        pn.Curve.bspline(*CUBIC.arguments), up=(0, 0, 1), vertex=(one, pn.Law.constant(-1), one)))
+    sentence = refused(
+        "not_rational",
+        lambda: pn.moving_conic_section(
+            pn.Curve.bspline(*CUBIC.arguments), up=(0, 0, 1), vertex=(one, pn.Law.constant(-1), one)
+        ),
+    )
     assert "parallel sections" in sentence

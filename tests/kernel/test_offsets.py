@@ -11,8 +11,10 @@ TIGHTNESS = 1e-6  # mm, promised of the inner bounds
 
 
 def all_bits(surface, lines="even"):
-    return [(face.poles.tobytes(), face.weights.tobytes(), face.u_knots.tobytes())
-            for face in surface.bsplines(lines)]
+    return [
+        (face.poles.tobytes(), face.weights.tobytes(), face.u_knots.tobytes())
+        for face in surface.bsplines(lines)
+    ]
 
 
 @pytest.mark.parametrize("lines", ["even", "lowest_degree"])
@@ -115,9 +117,10 @@ def scanned_range(canal):
             distances = focal_distances(canal, span, *grid)
             worst = np.argmin(distances)
             least = min(least, distances[worst])
-            t, angle = (np.linspace(centre - 2 * h, centre + 2 * h, 21)
-                        for centre, h in ((grid[0][worst], t[1] - t[0]),
-                                          (grid[1][worst], angle[1] - angle[0])))
+            t, angle = (
+                np.linspace(centre - 2 * h, centre + 2 * h, 21)
+                for centre, h in ((grid[0][worst], t[1] - t[0]), (grid[1][worst], angle[1] - angle[0]))
+            )
             t = np.clip(t, begin, end)
     return -min(radii), least
 
@@ -154,8 +157,9 @@ def test_regular_range_is_counted_from_distance_zero():
 
 def test_no_regular_offset():
     # The spine's curvature radius falls to 1/4 where the sphere's radius is 2.
-    surface = pn.canal_surface(pn.Curve.bezier([[-1, 2, 0], [0, -2, 0], [1, 2, 0]]),
-                               pn.Law.constant(2))
+    surface = pn.canal_surface(
+        pn.Curve.bezier([[-1, 2, 0], [0, -2, 0], [1, 2, 0]]), pn.Law.constant(2)
+    )
     lower, upper = surface.regular_range
     assert upper == pytest.approx(1 / 4 - 2, abs=TIGHTNESS)
     assert lower == pytest.approx(-2, abs=TIGHTNESS)

@@ -14,8 +14,15 @@ import pnocct
 import pytest
 
 ATTRIBUTES = (
-    "u_degree", "v_degree", "u_knots", "u_multiplicities", "v_knots", "v_multiplicities",
-    "poles", "weights", "trims",
+    "u_degree",
+    "v_degree",
+    "u_knots",
+    "u_multiplicities",
+    "v_knots",
+    "v_multiplicities",
+    "poles",
+    "weights",
+    "trims",
 )
 
 
@@ -38,17 +45,24 @@ def cylinder(bottom, top, radius=2.0):
     circle = radius * np.stack([x / w, y / w], axis=1)
     rows = [np.column_stack([circle, np.full_like(w, z)]) for z in (bottom, top)]
     return SimpleNamespace(
-        u_degree=1, v_degree=4, u_knots=[0.0, 1.0], u_multiplicities=[2, 2],
-        v_knots=np.arange(5.0), v_multiplicities=[5, 3, 3, 3, 5],
-        poles=np.array(rows), weights=np.array([w, w]), trims=[],
+        u_degree=1,
+        v_degree=4,
+        u_knots=[0.0, 1.0],
+        u_multiplicities=[2, 2],
+        v_knots=np.arange(5.0),
+        v_multiplicities=[5, 3, 3, 3, 5],
+        poles=np.array(rows),
+        weights=np.array([w, w]),
+        trims=[],
     )
 
 
 def trim(*poles):
     """A Bezier curve in the parameter plane."""
     n = len(poles)
-    return SimpleNamespace(degree=n - 1, knots=[0.0, 1.0], multiplicities=[n, n],
-                           poles=np.array(poles, dtype=float))
+    return SimpleNamespace(
+        degree=n - 1, knots=[0.0, 1.0], multiplicities=[n, n], poles=np.array(poles, dtype=float)
+    )
 
 
 def trimmed(face, *loops):
@@ -61,10 +75,18 @@ def around(*corners):
 
 def torus(radius):
     """A closed tube around a circle of radius 5."""
-    poles = [[5, 0, 0], [5, 5, 0], [0, 5, 0], [-5, 5, 0], [-5, 0, 0],
-             [-5, -5, 0], [0, -5, 0], [5, -5, 0], [5, 0, 0]]
-    spine = pn.Curve.bspline(2, [0, 1, 2, 3, 4], [3, 2, 2, 2, 3], poles,
-                             [1, 1, 2, 1, 1, 1, 2, 1, 1])
+    poles = [
+        [5, 0, 0],
+        [5, 5, 0],
+        [0, 5, 0],
+        [-5, 5, 0],
+        [-5, 0, 0],
+        [-5, -5, 0],
+        [0, -5, 0],
+        [5, -5, 0],
+        [5, 0, 0],
+    ]
+    spine = pn.Curve.bspline(2, [0, 1, 2, 3, 4], [3, 2, 2, 2, 3], poles, [1, 1, 2, 1, 1, 1, 2, 1, 1])
     return pn.canal_surface(spine, pn.Law.constant(radius)).bsplines()
 
 
@@ -130,8 +152,12 @@ def test_both_kinds_of_lines_bound_the_same_volume():
 
 def test_face_and_hole_add_up():
     outside = around((0, 0), (1, 0), (1, 4), (0, 4))
-    patch = [trim((0.3, 1), (0.6, 1)), trim((0.6, 1), (0.9, 2), (0.6, 3)),
-             trim((0.6, 3), (0.3, 3)), trim((0.3, 3), (0.3, 1))]
+    patch = [
+        trim((0.3, 1), (0.6, 1)),
+        trim((0.6, 1), (0.9, 2), (0.6, 3)),
+        trim((0.6, 3), (0.3, 3)),
+        trim((0.3, 3), (0.3, 1)),
+    ]
     hole = [trim(*curve.poles[::-1]) for curve in patch[::-1]]
     rest, part = (
         pnocct.shell([trimmed(cylinder(0, 5), *loops)]) for loops in ([outside, hole], [patch])

@@ -108,7 +108,8 @@ def test_parameters_may_be_those_of_a_surface_over_no_plane():
     squares = [(0, 3, 4, 1), (1, 4, 5, 2), (3, 6, 7, 4), (4, 7, 8, 5)]
     triangles = [half for a, b, c, d in squares for half in ((a, b, c), (a, c, d))]
     family = pn.sphere_family_powell_sabin(
-        centres, radii, np.stack([by_s, by_t], axis=1), triangles, parameters=grid)
+        centres, radii, np.stack([by_s, by_t], axis=1), triangles, parameters=grid
+    )
     outer, inner = family.skins
     for surface in (outer, inner):
         brep = pnocct.shell(surface.bsplines())
@@ -119,6 +120,7 @@ def test_parameters_may_be_those_of_a_surface_over_no_plane():
 
 def test_refinement_approaches_the_surface_with_third_order():
     """The skin of a finer triangulation is nearer to the true one: eight times for half the width."""
+
     def true_point(x, y):
         a, b = (x - 50) / 100, (y - 50) / 100
         return 12 * np.cos(a) * np.cos(1.2 * b), 3 + a * a + 0.3 * a * b
@@ -149,7 +151,8 @@ def test_bad_input_is_refused_with_its_reason():
     refused("wrong_shape", lambda: make(centres, radii, derivatives, triangles[:0]))
     clockwise = triangles[:, ::-1]
     assert "Triangle 0 runs clockwise" in refused(
-        "not_a_triangulation", lambda: make(centres, radii, derivatives, clockwise))
+        "not_a_triangulation", lambda: make(centres, radii, derivatives, clockwise)
+    )
     twice = np.vstack([triangles, triangles[:1]])
     refused("not_a_triangulation", lambda: make(centres, radii, derivatives, twice))
     for bad in (np.nan, np.inf):
@@ -160,8 +163,7 @@ def test_bad_input_is_refused_with_its_reason():
     refused("zero_length", lambda: make(line, radii, derivatives, triangles))
     steep = derivatives.copy()
     steep[2, 1, 3] = 3
-    assert "triangle" in refused(
-        "radius_too_steep", lambda: make(centres, radii, steep, triangles))
+    assert "triangle" in refused("radius_too_steep", lambda: make(centres, radii, steep, triangles))
 
 
 def test_equal_radii_are_named_as_an_offset():

@@ -110,8 +110,11 @@ def test_cones_of_revolution_agree_with_the_envelope_of_their_spheres():
     r, s = np.array([4, 5]), np.array([8, 7])
     line = (1, [0, 1], [2, 2])
     spheres = pn.cone_envelope(
-        pn.Curve.bspline(*line, a), pn.Law.bspline(*line, r),
-        pn.Curve.bspline(*line, b), pn.Law.bspline(*line, s))
+        pn.Curve.bspline(*line, a),
+        pn.Law.bspline(*line, r),
+        pn.Curve.bspline(*line, b),
+        pn.Law.bspline(*line, s),
+    )
 
     def product(p, q):
         """Of linear polynomials, by Bernstein coefficients."""
@@ -121,11 +124,13 @@ def test_cones_of_revolution_agree_with_the_envelope_of_their_spheres():
     columns = [product(r, b[:, i]) - product(s, a[:, i]) for i in range(3)]
     weight = product(r - s, np.ones(2))
     square = sum(product(c[:, i], c[:, i]) for i in range(3)) - product(s - r, s - r)
-    directions = np.array([
-        [square * (i == j) - product(c[:, i], c[:, j]) for j in range(3)] for i in range(3)])
+    directions = np.array(
+        [[square * (i == j) - product(c[:, i], c[:, j]) for j in range(3)] for i in range(3)]
+    )
     points, _ = spheres.evaluate([0.5, 0.5, 0.5], [0.25, 0.5, 0.75])
     cones = pn.quadratic_cone_envelope(
-        np.stack([*columns, weight], axis=-1), np.moveaxis(directions, -1, 0), arc=points)
+        np.stack([*columns, weight], axis=-1), np.moveaxis(directions, -1, 0), arc=points
+    )
 
     def linear(p):
         return Polynomial([p[0], p[1] - p[0]])

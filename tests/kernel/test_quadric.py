@@ -51,8 +51,10 @@ def samples(surface, count=40):
     """Points and normals of the last face."""
     face = surface.bsplines()[-1]
     random = np.random.default_rng(1)
-    return surface.evaluate(random.uniform(face.u_knots[0], face.u_knots[-1], count),
-                            random.uniform(face.v_knots[0], face.v_knots[-1], count))
+    return surface.evaluate(
+        random.uniform(face.u_knots[0], face.u_knots[-1], count),
+        random.uniform(face.v_knots[0], face.v_knots[-1], count),
+    )
 
 
 @pytest.mark.parametrize("case", bounded_kinds(), ids=lambda case: case[0])
@@ -78,8 +80,7 @@ def test_sides_in_words():
     for kind in ("two_sheet_hyperboloid", "elliptic_paraboloid", "parabolic_cylinder"):
         points, normals = samples(pn.quadric(kind, 3, 2, 1, {"x": (-1, 1), "y": (-1, 1)}))
         assert (normals[:, 2] < 0).all() and (points[:, 2] >= 0).all()
-    _, normals = samples(pn.quadric("hyperbolic_paraboloid", 3, 2, 1,
-                                    {"x": (-1, 1), "y": (-1, 1)}))
+    _, normals = samples(pn.quadric("hyperbolic_paraboloid", 3, 2, 1, {"x": (-1, 1), "y": (-1, 1)}))
     assert (normals[:, 2] > 0).all()
 
 
@@ -120,13 +121,15 @@ def test_degrees(case, degree):
 
 @pytest.mark.parametrize("difference", [1e-3, 1e-6, 1e-9, 1e-12, 4.5e-16])
 def test_nearly_equal_axes(difference):
-    for half_axes in ((3, 3 + 3 * difference, 1), (3, 1, 1 + difference),
-                      (2 + 2 * difference, 2, 2 + difference)):
+    for half_axes in (
+        (3, 3 + 3 * difference, 1),
+        (3, 1, 1 + difference),
+        (2 + 2 * difference, 2, 2 + difference),
+    ):
         surface, definition = quadric("ellipsoid", *half_axes)
         assert_certified(surface.offset(0.25), definition, 3)
     for kind in ("two_sheet_hyperboloid", "elliptic_paraboloid"):
-        surface, definition = quadric(kind, 2, 2 + 2 * difference, 1,
-                                      {"x": (-1, 0.5), "y": (-0.5, 1)})
+        surface, definition = quadric(kind, 2, 2 + 2 * difference, 1, {"x": (-1, 0.5), "y": (-0.5, 1)})
         assert_certified(surface.offset(0.25), definition, 3)
 
 
@@ -258,8 +261,7 @@ def test_closed_shells_keep_their_volume_in_step(tmp_path):
 def test_not_finite(bad):
     refused("not_finite", lambda: pn.quadric("ellipsoid", 3, bad, 1))
     refused("not_finite", lambda: pn.quadric("ellipsoid", 3, 2, 1).offset(bad))
-    refused("not_finite",
-            lambda: pn.quadric("ellipsoid", 3, 2, 1, {"z": (0, float("nan"))}))
+    refused("not_finite", lambda: pn.quadric("ellipsoid", 3, 2, 1, {"z": (0, float("nan"))}))
 
 
 def test_bad_axis():
@@ -302,14 +304,15 @@ def test_heights_of_a_parabolic_cylinder_are_widths():
         points, _ = samples(pn.quadric("parabolic_cylinder", 2, 1, 2, bounds))
         assert (points[:, 2] >= bounds["z"][0] - 1e-14).all()
         assert (points[:, 2] <= bounds["z"][1] + 1e-14).all()
-    refused("region_empty", lambda: pn.quadric("parabolic_cylinder", 2, 1, 2,
-                                               {"x": (-1, 1), "y": (0, 1), "z": (-1, 0)}))
+    refused(
+        "region_empty",
+        lambda: pn.quadric("parabolic_cylinder", 2, 1, 2, {"x": (-1, 1), "y": (0, 1), "z": (-1, 0)}),
+    )
 
 
 def test_not_rational():
     for kind in ("elliptic_cylinder", "elliptic_cone"):
-        assert "elliptic" in refused("not_rational",
-                                     lambda: pn.quadric(kind, 3, 2, 1, {"z": (1, 2)}))
+        assert "elliptic" in refused("not_rational", lambda: pn.quadric(kind, 3, 2, 1, {"z": (1, 2)}))
 
 
 def test_names():
@@ -335,8 +338,10 @@ def test_cylinder_and_cone_as_canal_surfaces():
     a, c = 3.0, 4.0
     cone = pn.quadric("elliptic_cone", a, a, c, {"z": (4, 8)})
     slope = (a * a + c * c) / c**2
-    canal = pn.canal_surface(pn.Curve.bezier([[0, 0, 4 * slope], [0, 0, 8 * slope]]),
-                             pn.Law.bezier([4 * slope * a / 5, 8 * slope * a / 5]))
+    canal = pn.canal_surface(
+        pn.Curve.bezier([[0, 0, 4 * slope], [0, 0, 8 * slope]]),
+        pn.Law.bezier([4 * slope * a / 5, 8 * slope * a / 5]),
+    )
     definition = Quadric.of("elliptic_cone", a, a, c)
     for surface in (cone, canal):
         assert list(surface.degree) == [1, 2]

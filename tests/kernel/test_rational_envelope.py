@@ -106,8 +106,11 @@ def test_six_spheres_have_the_same_skin_as_a_triangular_family():
     value = lambda u, v: np.array([polynomial.polyval2d(u, v, c) for c in spheres])  # noqa: E731
     corners = {"200": (1, 0), "020": (0, 1), "002": (0, 0)}
     net = {name: value(*place) for name, place in corners.items()}
-    for name, (first, second) in {"110": ("200", "020"), "101": ("200", "002"),
-                                  "011": ("020", "002")}.items():
+    for name, (first, second) in {
+        "110": ("200", "020"),
+        "101": ("200", "002"),
+        "011": ("020", "002"),
+    }.items():
         middle = value(*(np.add(corners[first], corners[second]) / 2))
         net[name] = 2 * middle - (net[first] + net[second]) / 2
     control = [net[name] for name in ("200", "110", "020", "101", "011", "002")]

@@ -23,13 +23,22 @@ class Envelope:
 
     def __init__(self, spheres):
         b200, b110, b020, b101, b011, b002 = spheres
-        self.power = (2 * (b200 - 2 * b101 + b002), 2 * (b110 - b101 - b011 + b002),
-                      2 * (b020 - 2 * b011 + b002), 2 * (b101 - b002), 2 * (b011 - b002), b002)
+        self.power = (
+            2 * (b200 - 2 * b101 + b002),
+            2 * (b110 - b101 - b011 + b002),
+            2 * (b020 - 2 * b011 + b002),
+            2 * (b101 - b002),
+            2 * (b011 - b002),
+            b002,
+        )
 
     def sphere(self, u, v):
         a1, a2, a3, a4, a5, a6 = self.power
-        return (a1 * u * u / 2 + a2 * u * v + a3 * v * v / 2 + a4 * u + a5 * v + a6,
-                a1 * u + a2 * v + a4, a2 * u + a3 * v + a5)
+        return (
+            a1 * u * u / 2 + a2 * u * v + a3 * v * v / 2 + a4 * u + a5 * v + a6,
+            a1 * u + a2 * v + a4,
+            a2 * u + a3 * v + a5,
+        )
 
     def normal(self, u, v, sign):
         _, by_u, by_v = self.sphere(u, v)
@@ -44,6 +53,7 @@ class Envelope:
             sphere, _, _ = self.sphere(u, v)
             normal = self.normal(u, v, sign)
             return sphere[:3] + (sphere[3] + distance) * normal, normal
+
         return point
 
     def arc(self, start, end, t):
@@ -72,6 +82,7 @@ class Envelope:
         def point(t, s):
             sphere, normal = self.arc(start, end, t)
             return sphere[:3] + (sphere[3] + distance) * normal(s), normal(s)
+
         return point
 
     def lune(self, before, corner, after, distance):
@@ -95,6 +106,7 @@ class Envelope:
                 angle -= np.copysign(2 * np.pi, angle)
             n = centre + np.cos(x * angle) * e + np.sin(x * angle) * f
             return sphere[:3] + (sphere[3] + distance) * n, n
+
         return point
 
 
@@ -102,8 +114,7 @@ def flux(point, nodes):
     """The integral of x.n / 3 over a part, by Gauss: its share of the volume."""
     places, weights = np.polynomial.legendre.leggauss(nodes)
     total = 0
-    for (s, p), (t, q) in itertools.product(
-            zip((places + 1) / 2, weights / 2, strict=True), repeat=2):
+    for (s, p), (t, q) in itertools.product(zip((places + 1) / 2, weights / 2, strict=True), repeat=2):
         x, n = point(s, t)
         by_s = (point(s + STEP, t)[0] - point(s - STEP, t)[0]) / (2 * STEP)
         by_t = (point(s, t + STEP)[0] - point(s, t - STEP)[0]) / (2 * STEP)

@@ -62,8 +62,12 @@ def test_smooth_spans_are_one_face():
 @pytest.mark.parametrize("size", [1e-6, 1e-3, 1e3, 1e6])
 def test_sizes(size):
     first, second = random_pair(3, 3, noise=0.5)
-    scaled = Cones(tuple(Spline(s.degree, s.knots, s.multiplicities, size * s.poles, s.weights)
-                         for s in (first, second)))
+    scaled = Cones(
+        tuple(
+            Spline(s.degree, s.knots, s.multiplicities, size * s.poles, s.weights)
+            for s in (first, second)
+        )
+    )
     assert_certified(scaled, scaled.surface())
 
 
@@ -80,12 +84,14 @@ def test_normals_and_offsets():
 
 def test_orientation():
     # The x-axis and a line to the left that rises: c_t x c_v points upwards.
-    surface = pn.ruled_surface(pn.Curve.bezier([[0, 0, 0], [1, 0, 0]]),
-                               pn.Curve.bezier([[0, 1, 0], [1, 1, 0.5]]))
+    surface = pn.ruled_surface(
+        pn.Curve.bezier([[0, 0, 0], [1, 0, 0]]), pn.Curve.bezier([[0, 1, 0], [1, 1, 0.5]])
+    )
     _, normals = surface.evaluate([0, 0.5, 1], [0.5, 0.5, 0.5])
     assert (normals[:, 2] > 0.8).all()
-    turned = pn.ruled_surface(pn.Curve.bezier([[0, 1, 0], [1, 1, 0.5]]),
-                              pn.Curve.bezier([[0, 0, 0], [1, 0, 0]]))
+    turned = pn.ruled_surface(
+        pn.Curve.bezier([[0, 1, 0], [1, 1, 0.5]]), pn.Curve.bezier([[0, 0, 0], [1, 0, 0]])
+    )
     assert (turned.evaluate([0, 1], [0.5, 0.5])[1][:, 2] < -0.8).all()
 
 
@@ -93,13 +99,19 @@ def torsal_places(first, second):
     """The zeros of det(c0', g, g') inside the spans of polynomial curves, g = c1 - c0."""
     places = []
     for span, (low, high) in enumerate(zip(first.knots, first.knots[1:])):
-        a, b = ([Polynomial([float(c) for c in p]) for p in s.span_polynomials[span][:3]]
-                for s in (first, second))
+        a, b = (
+            [Polynomial([float(c) for c in p]) for p in s.span_polynomials[span][:3]]
+            for s in (first, second)
+        )
         g = [q - p for p, q in zip(a, b)]
         slope, turn = [p.deriv() for p in a], [p.deriv() for p in g]
-        torsion = sum((slope[i] * (g[(i + 1) % 3] * turn[(i + 2) % 3]
-                                   - g[(i + 2) % 3] * turn[(i + 1) % 3]) for i in range(3)),
-                      Polynomial([0.0]))
+        torsion = sum(
+            (
+                slope[i] * (g[(i + 1) % 3] * turn[(i + 2) % 3] - g[(i + 2) % 3] * turn[(i + 1) % 3])
+                for i in range(3)
+            ),
+            Polynomial([0.0]),
+        )
         places += [r.real for r in torsion.roots() if abs(r.imag) < 1e-9 and low < r.real < high]
     return places
 
@@ -140,6 +152,7 @@ def test_torsal_rulings_in_the_middle_of_a_sheet():
 
 def saddle_between(low, high):
     """z = x^2/16 - y^2/4 between the lines x/4 + y/2 = low and high, for x/4 - y/2 in [-1, 2]."""
+
     def line(along):
         return Spline.bezier([[2 * (along + t), along - t, along * t] for t in (-1.0, 2.0)])
 
@@ -173,12 +186,14 @@ def ellipse(a, b, z, turn=0):
 def test_hyperboloid_between_two_ellipses():
     # Rulings over a quarter turn from z = -2 to 2: the waist is 1 / sqrt(2) as wide as the ends.
     a, b, height = 4.0, 3.0, 2.0
-    ruled = pn.ruled_surface(*(pn.Curve.bspline(*s.arguments) for s in
-                               (ellipse(a, b, -height), ellipse(a, b, height, 1))))
+    ruled = pn.ruled_surface(
+        *(pn.Curve.bspline(*s.arguments) for s in (ellipse(a, b, -height), ellipse(a, b, height, 1)))
+    )
     waist = [mpf(a) / sqrt(2), mpf(b) / sqrt(2)]
     definition = Quadric.of("one_sheet_hyperboloid", *waist, height)
-    whole = pn.quadric("one_sheet_hyperboloid", float(waist[0]), float(waist[1]), height,
-                       {"z": (-height, height)})
+    whole = pn.quadric(
+        "one_sheet_hyperboloid", float(waist[0]), float(waist[1]), height, {"z": (-height, height)}
+    )
     for offset in (0.0, 0.5, -0.5):
         moved = ruled.offset(offset)
         for face in moved.bsplines():
@@ -218,8 +233,10 @@ def test_developable_strips_with_rational_normals(first, second, degree):
             for u, v in face_parameters(face, np.random.default_rng(0), 6):
                 point = surface_point(face, u, v)
                 # Inside a span of a parabolic cylinder the parameter is not that of the curves.
-                start = min(np.linspace(face.u_knots[0], face.u_knots[-1], 33),
-                            key=lambda t: abs_distance(cones, point, t, face))
+                start = min(
+                    np.linspace(face.u_knots[0], face.u_knots[-1], 33),
+                    key=lambda t: abs_distance(cones, point, t, face),
+                )
                 span = cones.centres[0].span_at(face.u_knots[0])
                 found = cones.contact(point, offset, start, span)[2]
                 assert abs(found - offset) <= moved.certificate.deviation
@@ -235,12 +252,17 @@ def abs_distance(cones, point, t, face):
 
 def test_developable_surfaces_without_rational_normals():
     curve = pn.Curve.bspline
-    refused("developable", lambda: pn.ruled_surface(curve(*ellipse(4, 3, 0).arguments),
-                                                    curve(*ellipse(4, 3, 3).arguments)))
+    refused(
+        "developable",
+        lambda: pn.ruled_surface(
+            curve(*ellipse(4, 3, 0).arguments), curve(*ellipse(4, 3, 3).arguments)
+        ),
+    )
     apex = Spline.bezier([[0, 0, 0], [1, 0, 0], [1, 1, 0]])
     opposite = Spline.bezier([[0, 0, 3], [-1, 0, 3], [-1, -1, 3]])
-    refused("developable", lambda: pn.ruled_surface(curve(*apex.arguments),
-                                                    curve(*opposite.arguments)))
+    refused(
+        "developable", lambda: pn.ruled_surface(curve(*apex.arguments), curve(*opposite.arguments))
+    )
 
 
 # Refusals -------------------------------------------------------------------------------------------
@@ -253,12 +275,14 @@ def line(*ends):
 def test_refusals_name_their_reason():
     low, high = line([0, 0, 0], [1, 0, 0]), line([0, 1, 0], [1, 1, 1])
     assert "parameter 0.5" in refused(
-        "curves_meet", lambda: pn.ruled_surface(line([0, 0, 0], [2, 0, 0]),
-                                                line([1, -1, 0], [1, 1, 0])))
+        "curves_meet",
+        lambda: pn.ruled_surface(line([0, 0, 0], [2, 0, 0]), line([1, -1, 0], [1, 1, 0])),
+    )
     refused("zero_length", lambda: pn.ruled_surface(line([0, 0, 1], [0, 0, 1]), high))
     assert "parameter 0.5" in refused(
-        "pinched", lambda: pn.ruled_surface(line([0, 0, 0], [2, 0, 0]),
-                                            line([2, 1, 0], [1, 1, -1], [0, 1, 0])))
+        "pinched",
+        lambda: pn.ruled_surface(line([0, 0, 0], [2, 0, 0]), line([2, 1, 0], [1, 1, -1], [0, 1, 0])),
+    )
     corner = pn.Curve.bspline(1, [0, 1, 2], [2, 1, 2], [[0, 0, 0], [1, 0, 0], [2, 1, 0]])
     assert "parameter 1" in refused("corner_too_sharp", lambda: pn.ruled_surface(corner, high))
     refused("not_finite", lambda: pn.ruled_surface(low, high).offset(float("nan")))
@@ -291,14 +315,16 @@ def assert_limits(surface, lower, upper):
 
 def test_regular_range_of_a_saddle():
     # (t, v, t v): the curvatures at the saddle point are 1 and -1.
-    surface = pn.ruled_surface(pn.Curve.bezier([[-1, -1, 1], [1, -1, -1]]),
-                               pn.Curve.bezier([[-1, 1, -1], [1, 1, 1]]))
+    surface = pn.ruled_surface(
+        pn.Curve.bezier([[-1, -1, 1], [1, -1, -1]]), pn.Curve.bezier([[-1, 1, -1], [1, 1, 1]])
+    )
     assert_limits(surface, -1, 1)
 
 
 def test_regular_range_of_a_hyperboloid():
     # At the waist of radius a the curvatures are 1/a inwards, a/c^2 outwards.
-    surface = pn.ruled_surface(*(pn.Curve.bspline(*s.arguments) for s in
-                                 (ellipse(4, 4, -2), ellipse(4, 4, 2, 1))))
+    surface = pn.ruled_surface(
+        *(pn.Curve.bspline(*s.arguments) for s in (ellipse(4, 4, -2), ellipse(4, 4, 2, 1)))
+    )
     waist = 4 / np.sqrt(2)
     assert_limits(surface, -waist, 4 / waist)

@@ -20,8 +20,12 @@ def in_own_process(seed, processors):
     """The digests of all kinds, computed by another process on so many processors."""
     chosen = sorted(os.sched_getaffinity(0))[:processors]
     run = subprocess.run(
-        [sys.executable, Path(__file__).parent / "bits.py", str(seed)], capture_output=True,
-        check=True, text=True, preexec_fn=lambda: os.sched_setaffinity(0, chosen))
+        [sys.executable, Path(__file__).parent / "bits.py", str(seed)],
+        capture_output=True,
+        check=True,
+        text=True,
+        preexec_fn=lambda: os.sched_setaffinity(0, chosen),
+    )
     return dict(line.rsplit(" ", 1) for line in run.stdout.splitlines())
 
 
@@ -46,8 +50,12 @@ def cancelling_distance(surface):
 def rounded(surface):
     (face,) = surface.bsplines()
     certificate = surface.certificate
-    return (face.poles.tobytes(), face.weights.tobytes(), certificate.deviation,
-            certificate.precision_bits)
+    return (
+        face.poles.tobytes(),
+        face.weights.tobytes(),
+        certificate.deviation,
+        certificate.precision_bits,
+    )
 
 
 @pytest.mark.parametrize("seed", [0, 2, 10])

@@ -40,8 +40,12 @@ def test_a_radius_that_grows():
     (t, _), (s, _) = found.parameters
     radii = [1 + x / spine.domain[1] for x in (t, s)]
     assert sum(radii) > 2.9
-    assert pn.canal_surface(spine, pn.Law.bspline(1, spine.domain, [2, 2], [0.8, 1.3])
-                            ).self_intersection() is None
+    assert (
+        pn.canal_surface(
+            spine, pn.Law.bspline(1, spine.domain, [2, 2], [0.8, 1.3])
+        ).self_intersection()
+        is None
+    )
 
 
 @pytest.mark.parametrize("d", [0, 5, -3])

@@ -176,10 +176,7 @@ def ruled_volume(a, b, limits):
     t, v = np.meshgrid(t, v, indexing="ij")
     weights = np.outer(wt, wv)
     v = v[..., None]
-    along, across = (
-        bezier(a, t, 1) * (1 - v) + bezier(b, t, 1) * v,
-        bezier(b, t) - bezier(a, t),
-    )
+    along, across = (bezier(a, t, 1) * (1 - v) + bezier(b, t, 1) * v, bezier(b, t) - bezier(a, t))
     twice = bezier(a, t, 2) * (1 - v) + bezier(b, t, 2) * v if len(a) > 2 else np.zeros(across.shape)
     twist = bezier(b, t, 1) - bezier(a, t, 1)
     normal = np.cross(along, across)
@@ -303,18 +300,44 @@ def _cases():
     return [
         Case("ellipsoid", (a, b, c), {}, ellipsoid(a, b, c, -c, c), (x, y, z), 0),
         Case("ellipsoid", (a, b, c), {"z": (-5, 6)}, ellipsoid(a, b, c, -5, 6), (x, y, z), 0),
-        Case("one_sheet_hyperboloid", (a, b, c), {"z": (-10, 12)}, one_sheet(a, b, c, -10, 12),
-             (x, y, -z), 0),
-        Case("two_sheet_hyperboloid", (a, b, c), {"z": (0, 20)}, two_sheet(a, b, c, 0, 20),
-             (x, y, -z), 0),
-        Case("elliptic_paraboloid", (a, b, c), {"z": (0, 10)}, paraboloid(a, b, c, 0, 10),
-             (c * x, c * y, 0), -1),
-        Case("hyperbolic_paraboloid", (a, b, c), rectangle, graph(1, -1)(a, b, c, *plane),
-             (-c * x, c * y, 0), 1),
-        Case("parabolic_cylinder", (a, b, c), rectangle, graph(1, 0)(a, b, c, *plane),
-             (c * x, 0, 0), -1),
-        Case("elliptic_cylinder", (a, a, c), {"z": (-10, 12)}, cylinder(a, a, c, -10, 12),
-             (x, x, 0), 0),
+        Case(
+            "one_sheet_hyperboloid",
+            (a, b, c),
+            {"z": (-10, 12)},
+            one_sheet(a, b, c, -10, 12),
+            (x, y, -z),
+            0,
+        ),
+        Case(
+            "two_sheet_hyperboloid",
+            (a, b, c),
+            {"z": (0, 20)},
+            two_sheet(a, b, c, 0, 20),
+            (x, y, -z),
+            0,
+        ),
+        Case(
+            "elliptic_paraboloid",
+            (a, b, c),
+            {"z": (0, 10)},
+            paraboloid(a, b, c, 0, 10),
+            (c * x, c * y, 0),
+            -1,
+        ),
+        Case(
+            "hyperbolic_paraboloid",
+            (a, b, c),
+            rectangle,
+            graph(1, -1)(a, b, c, *plane),
+            (-c * x, c * y, 0),
+            1,
+        ),
+        Case(
+            "parabolic_cylinder", (a, b, c), rectangle, graph(1, 0)(a, b, c, *plane), (c * x, 0, 0), -1
+        ),
+        Case(
+            "elliptic_cylinder", (a, a, c), {"z": (-10, 12)}, cylinder(a, a, c, -10, 12), (x, x, 0), 0
+        ),
         Case("elliptic_cone", (a, a, c), {"z": (2, 12)}, cone(a, a, c, 2, 12), (x, x, -z), 0),
     ]
 

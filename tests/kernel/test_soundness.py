@@ -24,8 +24,11 @@ REFUSED = BLOCK // 4  # degenerate inputs may be refused, but not as a rule
 
 def blocks():
     share = SURFACES / (sum(1 / EFFORT.get(shape, 1) for shape in SHAPES) * BLOCK)
-    return [(shape, BLOCK * block) for shape in SHAPES
-            for block in range(math.ceil(share / EFFORT.get(shape, 1)))]
+    return [
+        (shape, BLOCK * block)
+        for shape in SHAPES
+        for block in range(math.ceil(share / EFFORT.get(shape, 1)))
+    ]
 
 
 def made(shape, seed):

@@ -39,11 +39,13 @@ FAMILIES = {
     "flat": spheres_of(lambda u, v: (64 * u + 8 * v * v, 64 * v + 8 * u * v, 0, 3)),
     "flat, linear thickness": spheres_of(lambda u, v: (64 * u, 64 * v + 8 * u * v, 0, 4 + 8 * u)),
     "flat, quadratic thickness": spheres_of(
-        lambda u, v: (64 * u, 64 * v + 8 * u * v, 0, 4 + 8 * u * u + 4 * v * v)),
+        lambda u, v: (64 * u, 64 * v + 8 * u * v, 0, 4 + 8 * u * u + 4 * v * v)
+    ),
     "on one plane": spheres_of(lambda u, v: (*bent(u, v), 16 + bent(u, v)[2])),
     "bent one way": spheres_of(lambda u, v: (64 * u, 64 * v, 16 * u * u, 4)),
     "bent one way, conical": spheres_of(
-        lambda u, v: (64 * u, 64 * v - 16 * u, 16 * (u + v / 2) ** 2, 4 + (u + v / 2) ** 2 + v)),
+        lambda u, v: (64 * u, 64 * v - 16 * u, 16 * (u + v / 2) ** 2, 4 + (u + v / 2) ** 2 + v)
+    ),
     "base point inside": spheres_of(with_parabolic_line, ((1, -0.5), (0, 0.5), (0, -0.25))),
     "base point on an edge": spheres_of(with_parabolic_line, ((1, 0), (-0.25, 1), (-0.25, 0))),
     "base point in a corner": spheres_of(with_parabolic_line, ((1, 0.5), (0, 1), (0, 0))),

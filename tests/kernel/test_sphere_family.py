@@ -122,8 +122,11 @@ def test_the_part_with_an_envelope_is_found():
     spheres[0, 3] += 150
     region = pn.real_region(spheres, halvings=4)
     assert len(region["real"]) and len(region["unreal"]) and len(region["border"])
-    areas = [abs(np.linalg.det(corners[:2] - corners[2]))
-             for kind in ("real", "unreal", "border") for corners in region[kind]]
+    areas = [
+        abs(np.linalg.det(corners[:2] - corners[2]))
+        for kind in ("real", "unreal", "border")
+        for corners in region[kind]
+    ]
     assert sum(areas) == 1
     for control, corners in zip(region["families"], region["real"], strict=True):
         sphere, _, _ = Family.of(spheres).sphere(*corners[0])

@@ -91,14 +91,19 @@ def test_faces_of_many_spans_are_one_shell(sign):
 
 def edges_of(surface):
     """Points and normals along each edge of each face."""
-    return [points_and_normals(surface, number, curve)
-            for number, face in enumerate(surface.bsplines()) for curve in face.trims[0]]
+    return [
+        points_and_normals(surface, number, curve)
+        for number, face in enumerate(surface.bsplines())
+        for curve in face.trims[0]
+    ]
 
 
 def shared(edges):
     """How many edges have a reversed one with the same points and normals."""
-    return sum(min(np.abs(edge - other[::-1]).max() for other in edges if other is not edge) < 1e-9
-               for edge in edges)
+    return sum(
+        min(np.abs(edge - other[::-1]).max() for other in edges if other is not edge) < 1e-9
+        for edge in edges
+    )
 
 
 def joined(curve, factor):
@@ -116,8 +121,10 @@ def test_neighbours_share_edges_and_normals_where_splines_are_smooth(sign, dista
     c1 = random_translation(np.random.default_rng(6), (3, 2))
     edges = edges_of(skin(c1, sign, distance))
     assert (len(edges), shared(edges)) == (4 * 6, 2 * 7)
-    curves = [bezier([[0, 0, 0, 2], [50, 0, 8, 2.5], [100, 0, 4, 2]]),
-              bezier([[0, 0, 0, 2], [0, 50, 6, 2.5], [0, 100, 2, 2.25]])]
+    curves = [
+        bezier([[0, 0, 0, 2], [50, 0, 8, 2.5], [100, 0, 4, 2]]),
+        bezier([[0, 0, 0, 2], [0, 50, 6, 2.5], [0, 100, 2, 2.25]]),
+    ]
     two_speeds = Translation(joined(curves[0], 0.5), joined(curves[1], 2))
     edges = edges_of(skin(two_speeds, sign, distance))
     assert (len(edges), shared(edges)) == (4 * 4, 2 * 4)
@@ -142,7 +149,8 @@ def paraboloid(kind, radius):
     bend = 1 / 2 if kind == "elliptic_paraboloid" else -1 / 2
     return Translation(
         bezier([[-2, 0, 1 / 2, radius / 2], [0, 0, -1 / 2, radius / 2], [2, 0, 1 / 2, radius / 2]]),
-        bezier([[0, -1, bend, radius / 2], [0, 0, -bend, radius / 2], [0, 1, bend, radius / 2]]))
+        bezier([[0, -1, bend, radius / 2], [0, 0, -bend, radius / 2], [0, 1, bend, radius / 2]]),
+    )
 
 
 @pytest.mark.parametrize("kind", ["elliptic_paraboloid", "hyperbolic_paraboloid"])
@@ -179,7 +187,8 @@ def test_a_line_of_spheres_along_a_parabola_is_a_cylinder_over_its_offset():
     radius = 0.5
     translation = Translation(
         bezier([[0, 0, 0, radius / 2], [0, 5, 0, radius / 2]]),
-        bezier([[-2, 0, 1, radius / 2], [0, 0, -1, radius / 2], [2, 0, 1, radius / 2]]))
+        bezier([[-2, 0, 1, radius / 2], [0, 0, -1, radius / 2], [2, 0, 1, radius / 2]]),
+    )
     definition = Quadric.of("parabolic_cylinder", 2, 1, 1)
     quadric = pn.quadric("parabolic_cylinder", 2, 1, 1, {"x": (-2, 2), "y": (0, 5)})
     # m_u x m_v = (0, 1, 0) x (1, 0, .) is downwards: the outer skin is that below.
@@ -198,8 +207,9 @@ def test_a_line_of_spheres_along_a_parabola_is_a_cylinder_over_its_offset():
 
 
 def test_two_lines_of_spheres_have_planes_for_skins():
-    translation = Translation(bezier([[0, 0, 0, 1], [10, 0, 0, 2]]),
-                              bezier([[0, 0, 0, 1], [0, 20, 5, 3]]))
+    translation = Translation(
+        bezier([[0, 0, 0, 1], [10, 0, 0, 2]]), bezier([[0, 0, 0, 1], [0, 20, 5, 3]])
+    )
     for sign, surface in zip(SIGNS, skins(translation), strict=True):
         (face,) = surface.bsplines()
         normal = translation.normal(0, 0, sign)
@@ -234,25 +244,51 @@ def test_arrays_and_knots_of_the_wrong_shape_are_refused():
     refused("bad_knots", lambda: pn.SphereSpline.bspline(2, [0, 1], [3, 2], GOOD))
 
 
-@pytest.mark.parametrize(("code", "sentence", "make"), [
-    ("not_finite", "finite", lambda: family([*GOOD[:2], [10, np.nan, 0, 1]])),
-    ("not_finite", "finite", lambda: family([*GOOD[:2], [10, 0, 0, np.inf]])),
-    ("zero_length", "first curve of spheres, at parameter 0, stands still for a span",
-     lambda: family([GOOD[0], GOOD[0]])),
-    ("zero_length", r"one direction near \(u, v\) = \(",
-     lambda: pn.sphere_family_translational(ACROSS, ACROSS)),
-    ("radius_too_steep", r"no envelope near \(u, v\) = \(.*swallows",
-     lambda: family([*GOOD[:2], [10, 0, 0, 20]])),
-    ("not_rational", "first curve of spheres has degree 3.*quadratic spline",
-     lambda: family([*GOOD, [15, 0, 5, 1]])),
-    ("corner_too_sharp", "first curve of spheres, at parameter 1, has a corner.*multiplicity 1",
-     lambda: pn.sphere_family_translational(
-         pn.SphereSpline.bspline(1, [0, 1, 2], [2, 1, 2], GOOD), ACROSS)),
-    ("corner_too_sharp", "second curve of spheres, at parameter 1, has a corner",
-     lambda: pn.sphere_family_translational(
-         ACROSS, pn.SphereSpline.bspline(1, [0, 1, 2], [2, 1, 2], GOOD))),
-    ("weights_not_positive", "normals turn too far within a span",
-     lambda: family([GOOD[0], [5, 0, 1e6, 1], GOOD[2]]).skins),
-])
+@pytest.mark.parametrize(
+    ("code", "sentence", "make"),
+    [
+        ("not_finite", "finite", lambda: family([*GOOD[:2], [10, np.nan, 0, 1]])),
+        ("not_finite", "finite", lambda: family([*GOOD[:2], [10, 0, 0, np.inf]])),
+        (
+            "zero_length",
+            "first curve of spheres, at parameter 0, stands still for a span",
+            lambda: family([GOOD[0], GOOD[0]]),
+        ),
+        (
+            "zero_length",
+            r"one direction near \(u, v\) = \(",
+            lambda: pn.sphere_family_translational(ACROSS, ACROSS),
+        ),
+        (
+            "radius_too_steep",
+            r"no envelope near \(u, v\) = \(.*swallows",
+            lambda: family([*GOOD[:2], [10, 0, 0, 20]]),
+        ),
+        (
+            "not_rational",
+            "first curve of spheres has degree 3.*quadratic spline",
+            lambda: family([*GOOD, [15, 0, 5, 1]]),
+        ),
+        (
+            "corner_too_sharp",
+            "first curve of spheres, at parameter 1, has a corner.*multiplicity 1",
+            lambda: pn.sphere_family_translational(
+                pn.SphereSpline.bspline(1, [0, 1, 2], [2, 1, 2], GOOD), ACROSS
+            ),
+        ),
+        (
+            "corner_too_sharp",
+            "second curve of spheres, at parameter 1, has a corner",
+            lambda: pn.sphere_family_translational(
+                ACROSS, pn.SphereSpline.bspline(1, [0, 1, 2], [2, 1, 2], GOOD)
+            ),
+        ),
+        (
+            "weights_not_positive",
+            "normals turn too far within a span",
+            lambda: family([GOOD[0], [5, 0, 1e6, 1], GOOD[2]]).skins,
+        ),
+    ],
+)
 def test_bad_input_is_refused_with_its_reason(code, sentence, make):
     assert re.search(sentence, refused(code, make))

@@ -77,8 +77,9 @@ def base_point(definition, face, distance, place):
 
 def is_same_rectangle(face, other):
     """Faces of several parts of a region have their parameters in common."""
-    return all(np.array_equal(getattr(face, knots), getattr(other, knots))
-               for knots in ("u_knots", "v_knots"))
+    return all(
+        np.array_equal(getattr(face, knots), getattr(other, knots)) for knots in ("u_knots", "v_knots")
+    )
 
 
 def assert_closed(face):
@@ -109,8 +110,9 @@ def test_places_are_inside_the_loops_when_their_points_are_in_the_region(case, o
     faces = pn.quadric(*case).offset(offset).bsplines()
     for face in faces:
         for _ in range(40):
-            place = np.array([random.uniform(knots[0], knots[-1])
-                              for knots in (face.u_knots, face.v_knots)])
+            place = np.array(
+                [random.uniform(knots[0], knots[-1]) for knots in (face.u_knots, face.v_knots)]
+            )
             beyond = excess(case[4], base_point(definition, face, offset, place))
             parts = [other for other in faces if is_same_rectangle(face, other)]
             if min(clearance(part, place) for part in parts) < 1e-3:
@@ -143,7 +145,8 @@ def graph_area(height, slopes, region, count=400):
     x, y = np.meshgrid((x0 + x1 + (x1 - x0) * nodes) / 2, (y0 + y1 + (y1 - y0) * nodes) / 2)
     p, q = slopes(x, y, height(x, y))
     return (np.sqrt(1 + p * p + q * q) * np.outer(weights, weights)).sum() * (
-        (x1 - x0) * (y1 - y0) / 4)
+        (x1 - x0) * (y1 - y0) / 4
+    )
 
 
 @pytest.mark.parametrize("sign", [1, -1])
@@ -158,19 +161,27 @@ def test_area_over_a_rectangle_of_paraboloids(sign):
 def test_area_over_a_rectangle_of_a_hyperboloid():
     box = (0.25, 1), (-0.5, 1)
     shell = pnocct.shell(
-        pn.quadric("two_sheet_hyperboloid", 3, 2, 2.5, {"x": box[0], "y": box[1]}).bsplines())
-    expected = graph_area(lambda x, y: 2.5 * np.sqrt(1 + x**2 / 9 + y**2 / 4),
-                          lambda x, y, z: (2.5**2 * x / (9 * z), 2.5**2 * y / (4 * z)), box)
+        pn.quadric("two_sheet_hyperboloid", 3, 2, 2.5, {"x": box[0], "y": box[1]}).bsplines()
+    )
+    expected = graph_area(
+        lambda x, y: 2.5 * np.sqrt(1 + x**2 / 9 + y**2 / 4),
+        lambda x, y, z: (2.5**2 * x / (9 * z), 2.5**2 * y / (4 * z)),
+        box,
+    )
     assert pnocct.area(shell) == pytest.approx(expected, abs=10 * TIGHT)
 
 
 def test_two_parts_of_an_ellipsoid_are_the_whole():
     whole = pnocct.area(pnocct.shell(pn.quadric("ellipsoid", 3, 2, 1).offset(0.25).bsplines()))
-    for one, other in (({"z": (-2, 0.3)}, {"z": (0.3, 2)}), ({"x": (-4, 1)}, {"x": (1, 4)}),
-                       ({"angle": (0.2, 2)}, {"angle": (2, 0.2 + 2 * math.pi)})):
-        parts = (pnocct.area(pnocct.shell(
-            pn.quadric("ellipsoid", 3, 2, 1, bounds).offset(0.25).bsplines()))
-            for bounds in (one, other))
+    for one, other in (
+        ({"z": (-2, 0.3)}, {"z": (0.3, 2)}),
+        ({"x": (-4, 1)}, {"x": (1, 4)}),
+        ({"angle": (0.2, 2)}, {"angle": (2, 0.2 + 2 * math.pi)}),
+    ):
+        parts = (
+            pnocct.area(pnocct.shell(pn.quadric("ellipsoid", 3, 2, 1, bounds).offset(0.25).bsplines()))
+            for bounds in (one, other)
+        )
         assert sum(parts) == pytest.approx(whole, abs=100 * TIGHT)
 
 
@@ -218,8 +229,7 @@ def test_bands_end_at_their_directrices(seed, degree, spans, offset):
             span = cones.centres[0].span_at(place[0])
             t, v, _ = cones.contact(point, offset, place[0], span)
             assert abs(t - place[0]) < 1e-12
-            return float(v), float(np.linalg.norm(
-                cones.spheres(t, v, span)[0][2].astype(float)))
+            return float(v), float(np.linalg.norm(cones.spheres(t, v, span)[0][2].astype(float)))
 
         ends = set()
         for curve in loop:
@@ -232,8 +242,7 @@ def test_bands_end_at_their_directrices(seed, degree, spans, offset):
                 assert abs(v - round(v)) * length <= TIGHT
         assert ends == {0, 1}
         for _ in range(30):
-            place = np.array([random.uniform(face.u_knots[0], face.u_knots[-1]),
-                              random.uniform(0, 1)])
+            place = np.array([random.uniform(face.u_knots[0], face.u_knots[-1]), random.uniform(0, 1)])
             if clearance(face, place) > 1e-3:
                 v, _ = across(place)
                 assert is_on_face(face, place) == (0 < v < 1)

@@ -40,8 +40,10 @@ def bernstein(taylor):
     """The poles over [0, 1] of sum taylor[i] t^i, of degree 3 or 2."""
     taylor = np.asarray(taylor, dtype=float)
     k = len(taylor) - 1
-    matrix = [[float(sympy.binomial(i, j) / sympy.binomial(k, j)) for j in range(k + 1)]
-              for i in range(k + 1)]
+    matrix = [
+        [float(sympy.binomial(i, j) / sympy.binomial(k, j)) for j in range(k + 1)]
+        for i in range(k + 1)
+    ]
     return matrix @ taylor
 
 
@@ -65,8 +67,9 @@ def samples(count=40):
 
 def test_gruber_quadratic_canal_surface():
     example = Example("gruber-canal-example", "u s t")
-    surface = pn.canal_surface(pn.Curve.bezier([[0, 0, 0], [0.5, 0, 0], [1, 0, 1]]),
-                               pn.Law.bezier([0, 0, 0.25]))
+    surface = pn.canal_surface(
+        pn.Curve.bezier([[0, 0, 0], [0.5, 0, 0], [1, 0, 1]]), pn.Law.bezier([0, 0, 0.25])
+    )
     assert list(surface.degree) == [4, 2]
     t, u = samples()
     for offset in (0.0, 1.0):
@@ -107,8 +110,11 @@ def test_peternell_skew_family_of_cones():
 
     def poles(c0, c1, c2):
         """Of c0 + c1 u + c2 u^2 over [low, high]."""
-        return [c0 + c1 * low + c2 * low**2, c0 + c1 * (low + high) / 2 + c2 * low * high,
-                c0 + c1 * high + c2 * high**2]
+        return [
+            c0 + c1 * low + c2 * low**2,
+            c0 + c1 * (low + high) / 2 + c2 * low * high,
+            c0 + c1 * high + c2 * high**2,
+        ]
 
     def curve(*coordinates):
         return pn.Curve.bezier(np.transpose([poles(*c) for c in coordinates]))
@@ -177,44 +183,52 @@ def test_peternell_ellipsoid_of_revolution(values, offset):
     assert list(surface.degree) == [8, 2]
     random = np.random.default_rng(0)
     moved = surface.offset(offset)
-    for point, normal in zip(*moved.evaluate(random.uniform(0.05, 0.95, 30),
-                                             random.uniform(2, 4, 30)), strict=True):
+    for point, normal in zip(
+        *moved.evaluate(random.uniform(0.05, 0.95, 30), random.uniform(2, 4, 30)), strict=True
+    ):
         # n3 = a (t^4 - 1) / (a t^4 + 2 c t^2 + a)
         squares = np.roots([a * (1 - normal[2]), -2 * c * normal[2], -a * (1 + normal[2])])
         t = np.sqrt(max(squares))
-        u = half_circle_parameter((normal[0] + 1j * normal[1])
-                                  / (-mu * (t**2 + 1) + 1j * t * (a - c)))
+        u = half_circle_parameter(
+            (normal[0] + 1j * normal[1]) / (-mu * (t**2 + 1) + 1j * t * (a - c))
+        )
         np.testing.assert_allclose(example("n", t, u, offset), normal, rtol=0, atol=TOLERANCE)
-        np.testing.assert_allclose(example("x", t, u, offset), point, rtol=0,
-                                   atol=a * 10 * TOLERANCE)
+        np.testing.assert_allclose(example("x", t, u, offset), point, rtol=0, atol=a * 10 * TOLERANCE)
 
 
 @pytest.mark.parametrize("values", rational_sets("diss-triaxial-ellipsoid"))
 def test_peternell_triaxial_ellipsoid(values):
     example = with_values("diss-triaxial-ellipsoid", "t u", values)
     a, b, c, al, ga = (values[name] for name in ("a", "b", "c", "al", "ga"))
-    turn = np.array([[a * al, 0, -c * ga], [0, b * np.sqrt(a * a - c * c), 0],
-                     [c * ga, 0, a * al]]) / (b * np.sqrt(a * a - c * c))
+    turn = np.array(
+        [[a * al, 0, -c * ga], [0, b * np.sqrt(a * a - c * c), 0], [c * ga, 0, a * al]]
+    ) / (b * np.sqrt(a * a - c * c))
     surface = pn.quadric("ellipsoid", a, b, c)
     random = np.random.default_rng(0)
-    for point, normal in zip(*surface.evaluate(random.uniform(0.05, 0.95, 30),
-                                               random.uniform(2, 4, 30)), strict=True):
+    for point, normal in zip(
+        *surface.evaluate(random.uniform(0.05, 0.95, 30), random.uniform(2, 4, 30)), strict=True
+    ):
         turned = turn @ normal
         height = normal @ point
         # The plane contains m1(t), quadratic in t^2; it is the same with both orientations.
         found = []
         for sign in (1, -1):
             n, h = sign * turned, sign * height
-            squares = np.roots([al * ga * n[0] + a * c * n[2] - b * h, 2 * b * b * n[2],
-                                al * ga * n[0] + a * c * n[2] + b * h])
-            for t in np.sqrt([square.real for square in squares
-                              if abs(square.imag) < 1e-9 and square.real > 0]):
+            squares = np.roots(
+                [
+                    al * ga * n[0] + a * c * n[2] - b * h,
+                    2 * b * b * n[2],
+                    al * ga * n[0] + a * c * n[2] + b * h,
+                ]
+            )
+            for t in np.sqrt(
+                [square.real for square in squares if abs(square.imag) < 1e-9 and square.real > 0]
+            ):
                 for place in (t, -t):
                     f = example("f", place, 0)
                     y = n[:2] / (1 - n[2]) - f
                     u = y[0] / y[1]
-                    found.append(np.abs(example("plane", place, u) / [1, 1, 1, a]
-                                        - [*n, h / a]).max())
+                    found.append(np.abs(example("plane", place, u) / [1, 1, 1, a] - [*n, h / a]).max())
         assert min(found) < 1e-10
 
 
@@ -222,7 +236,8 @@ def test_peternell_lemniscate_of_a_hyperboloid():
     example = Example("mos-hyperboloid-lemniscate", "x y z")
     surface = pn.quadric("one_sheet_hyperboloid", 1, 1, 1, {"z": (-0.5, 0.5)})
     random = np.random.default_rng(0)
-    for point, normal in zip(*surface.evaluate(random.uniform(0, 4, 40),
-                                               random.uniform(0, 1, 40)), strict=True):
+    for point, normal in zip(
+        *surface.evaluate(random.uniform(0, 4, 40), random.uniform(0, 1, 40)), strict=True
+    ):
         reflected = 2 * (normal @ point) * normal
         assert abs(example("F", *reflected)) < 10 * TOLERANCE

@@ -60,5 +60,6 @@ def points_and_normals(surface, number, curve, count=9):
 
 def clearance(face, place):
     """How far a place is from the loops, in parameters."""
-    return min((np.linalg.norm(polygon(loop) - place, axis=1).min() for loop in face.trims),
-               default=np.inf)
+    return min(
+        (np.linalg.norm(polygon(loop) - place, axis=1).min() for loop in face.trims), default=np.inf
+    )

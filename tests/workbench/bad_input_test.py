@@ -86,11 +86,13 @@ class LastGoodShape(Recovery, DocumentTest):
         self.assert_fails_and_recovers("near (1, 1, 1) has no length", self.repair)
 
     def test_branch(self):
-        self.source.Shape = Part.Compound([
-            polyline((0, 0, 0), (10, 0, 0)),
-            polyline((10, 0, 0), (20, 5, 0)),
-            polyline((10, 0, 0), (20, -5, 0)),
-        ])
+        self.source.Shape = Part.Compound(
+            [
+                polyline((0, 0, 0), (10, 0, 0)),
+                polyline((10, 0, 0), (20, 5, 0)),
+                polyline((10, 0, 0), (20, -5, 0)),
+            ]
+        )
         self.assert_fails_and_recovers("3 edges meet at (10, 0, 0)", self.repair)
 
     def test_division_by_zero(self):

@@ -380,9 +380,7 @@ class Errors(Recovery, CanalSurfaceTest):
         ):
             with self.subTest(sentence):
                 self.obj.Radii = radii
-                self.assert_fails_and_recovers(
-                    sentence, lambda: setattr(self.obj, "Radii", RADII)
-                )
+                self.assert_fails_and_recovers(sentence, lambda: setattr(self.obj, "Radii", RADII))
 
     def test_spine_deleted(self):
         self.document.removeObject(self.source.Name)
@@ -420,8 +418,7 @@ class Errors(Recovery, CanalSurfaceTest):
     def test_vanished_edge(self):
         self.obj.Spine = (self.source, ["Edge9"])
         self.assert_fails_and_recovers(
-            "Spline has no Edge9 any more.",
-            lambda: setattr(self.obj, "Spine", (self.source, [])),
+            "Spline has no Edge9 any more.", lambda: setattr(self.obj, "Spine", (self.source, []))
         )
 
     def test_gap(self):

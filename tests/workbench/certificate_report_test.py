@@ -62,26 +62,19 @@ class Truth(Certificates):
             (section,) = self.entry(obj)["sections"]
             sampling = section["sampling"]
             self.assertGreaterEqual(sampling["points"], 900)
-            self.assertLessEqual(
-                sampling["worst"], section["deviation"] + sampling["rounding"]
-            )
+            self.assertLessEqual(sampling["worst"], section["deviation"] + sampling["rounding"])
             self.assertLess(sampling["rounding"], ROUNDING)
 
     def test_volume_of_a_wall(self):
         length, inner, outer = 10.0, 2.5, 3.5
-        pipe = make_canal_surface(
-            self.line_object(length), 3, 0.5, Sides="Both sides", Output="Solid"
-        )
+        pipe = make_canal_surface(self.line_object(length), 3, 0.5, Sides="Both sides", Output="Solid")
         entry = self.entry(pipe)
         self.assertEqual([s["distance"] for s in entry["sections"]], [-0.5, 0.5])
         shape = entry["shape"]
         self.assertEqual((shape["type"], shape["faults"]), ("Solid", []))
         ends = math.pi * (outer**2 - inner**2)
         sides = 2 * math.pi * (inner + outer) * length
-        for measure, exact in (
-            (shape["volume"], ends * length),
-            (shape["area"], 2 * ends + sides),
-        ):
+        for measure, exact in ((shape["volume"], ends * length), (shape["area"], 2 * ends + sides)):
             self.assertLessEqual(abs(measure["value"] - exact), measure["error"])
             self.assertLess(measure["error"], 1e-9 * exact)
 

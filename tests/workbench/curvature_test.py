@@ -14,9 +14,7 @@ from pnsurfaces.face_grid import face_grid, lines
 
 
 def curved(shape, rows=32, columns=64):
-    return [
-        patch for face in shape.Faces for patch in curved_patches(face_grid(face), rows, columns)
-    ]
+    return [patch for face in shape.Faces for patch in curved_patches(face_grid(face), rows, columns)]
 
 
 class Curvatures(DocumentTest):

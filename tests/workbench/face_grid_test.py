@@ -52,9 +52,7 @@ class Patches(DocumentTest):
         for face in (*pipe.Shape.Faces, *egg.Shape.Faces):
             self.assertIsNone(face_grid(face).boundary)
             (patch,) = patches_of(face)
-            self.assertEqual(
-                (patch.u[0], patch.u[-1], patch.v[0], patch.v[-1]), face.ParameterRange
-            )
+            self.assertEqual((patch.u[0], patch.u[-1], patch.v[0], patch.v[-1]), face.ParameterRange)
 
     def test_a_cut_ruled_face(self):
         edges = (

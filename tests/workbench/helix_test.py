@@ -85,9 +85,7 @@ class HelixTest(DocumentTest):
     def test_arc(self):
         circle = Part.Circle(Vector(1, 2, 3), Vector(1, 1, 1), 8)
         edge = circle.toShape(0.3, 4.0)
-        self.assert_fit(
-            read_circle(edge), lambda a: circle.value(0.3 + a), turns=3.7 / (2 * math.pi)
-        )
+        self.assert_fit(read_circle(edge), lambda a: circle.value(0.3 + a), turns=3.7 / (2 * math.pi))
 
     def test_other_edges_are_no_helices(self):
         for edge in Part.makeCylinder(5, 10).Edges + Part.makeCone(5, 3, 10).Edges:

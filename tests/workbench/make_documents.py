@@ -28,7 +28,11 @@ def canal_surface(document):
     spine = document.addObject("Part::Feature", "Spine")
     spine.Shape = spline().toShape()
     return pnsurfaces.make_canal_surface(
-        spine, ("Values at vertices", RADII), 0.3, Hollow="Wall thickness", WallThickness=0.5,
+        spine,
+        ("Values at vertices", RADII),
+        0.3,
+        Hollow="Wall thickness",
+        WallThickness=0.5,
         Output="Solid",
     )
 
@@ -49,8 +53,15 @@ def _bezier(document, name, points):
 
 def quadric_offset(document):
     return pnsurfaces.make_quadric_offset(
-        "One-sheet hyperboloid", 3, 2, 4, 0.25, bounds={"z": (-3, 5)}, document=document,
-        Sides="Base and offset", Output="Solid",
+        "One-sheet hyperboloid",
+        3,
+        2,
+        4,
+        0.25,
+        bounds={"z": (-3, 5)},
+        document=document,
+        Sides="Base and offset",
+        Output="Solid",
     )
 
 

@@ -70,8 +70,14 @@ class Wavefronts(MirrorTest):
 
     def test_oblique_light(self):
         mirror = self.face_object(dish(height=3).toShape(), "Flat")
-        obj = self.make(mirror, 140, direction=(0.5, 0.25, -1), origin=(0, 0, 100),
-                        Sides="Two offsets", SecondDistance=150)
+        obj = self.make(
+            mirror,
+            140,
+            direction=(0.5, 0.25, -1),
+            origin=(0, 0, 100),
+            Sides="Two offsets",
+            SecondDistance=150,
+        )
         self.assertEqual(obj.Status, "Valid")
         self.assertEqual(len(obj.Shape.Shells), 2)
         self.assertTrue(obj.Exact)
@@ -102,8 +108,7 @@ class Wavefronts(MirrorTest):
 
     def test_a_cylinder_is_taken_as_the_spline_that_it_becomes(self):
         quarter = Part.makeCylinder(50, 60, Vector(), Vector(0, 0, 1), 90).Faces[0]
-        obj = self.make(self.face_object(quarter), 150, direction=(-1, -1, 0.3),
-                        origin=(100, 100, 0))
+        obj = self.make(self.face_object(quarter), 150, direction=(-1, -1, 0.3), origin=(100, 100, 0))
         self.assertFalse(obj.Exact)
         self.assertIn("spline that FreeCAD makes", obj.Status)
         self.assert_certified(obj)
@@ -126,9 +131,7 @@ class Refusals(Recovery, MirrorTest):
         super().setUp()
         self.plane = self.face_object(Part.makePlane(30, 20), "Plane")
         self.remember(
-            pnsurfaces.make_mirror_wavefront(
-                self.plane, 50, direction=(0, 0, -1), origin=(0, 0, 30)
-            )
+            pnsurfaces.make_mirror_wavefront(self.plane, 50, direction=(0, 0, -1), origin=(0, 0, 30))
         )
 
     def restore(self):

@@ -33,8 +33,11 @@ class SectionTest(DocumentTest):
 
     def bent_duct(self):
         """A straight piece, a quarter turn of radius 30, and a straight piece, in the plane y = 0."""
-        arc = Part.Arc(Vector(20, 0, 0), Vector(20 + 30 * math.sin(math.pi / 4), 0,
-                                                30 - 30 * math.cos(math.pi / 4)), Vector(50, 0, 30))
+        arc = Part.Arc(
+            Vector(20, 0, 0),
+            Vector(20 + 30 * math.sin(math.pi / 4), 0, 30 - 30 * math.cos(math.pi / 4)),
+            Vector(50, 0, 30),
+        )
         edges = [
             Part.makeLine(Vector(0, 0, 0), Vector(20, 0, 0)),
             arc.toShape(),
@@ -118,15 +121,18 @@ class Sections(SectionTest):
 class Laws(SectionTest):
     def test_a_table(self):
         rows = [(0, 4, 2), (12, 3, "3 mm"), (30, 5, 2)]
-        obj = self.make(self.line_object(30), ("Table", rows), up=(0, 1, 0),
-                        PositionBy="Arc length")
+        obj = self.make(self.line_object(30), ("Table", rows), up=(0, 1, 0), PositionBy="Arc length")
         self.assert_certified(obj)
         for point in ((4, 0, 0), (3, 0, 12), (0, 3, 12), (0, 2, 30)):
             self.assert_on(obj, point)
 
     def test_expressions_are_fitted_and_say_so(self):
-        obj = self.make(self.line_object(30), ("Expression", ("4 mm + 1 mm * sin(pi*s)", "2 mm")),
-                        up=(0, 1, 0), FitTolerance=1e-4)
+        obj = self.make(
+            self.line_object(30),
+            ("Expression", ("4 mm + 1 mm * sin(pi*s)", "2 mm")),
+            up=(0, 1, 0),
+            FitTolerance=1e-4,
+        )
         self.assertFalse(obj.Exact)
         self.assertIn("Fitted within", obj.Status)
         self.assertGreater(obj.DeviationBound, 1e-9)
@@ -180,7 +186,11 @@ class FromTheVertex(SectionTest):
 
     def test_each_type(self):
         for name, constant in (
-            ("hyperbola", -2.5), ("parabola", -1), ("ellipse", 0.5), ("circle", 0), ("tall", -0.5)
+            ("hyperbola", -2.5),
+            ("parabola", -1),
+            ("ellipse", 0.5),
+            ("circle", 0),
+            ("tall", -0.5),
         ):
             with self.subTest(name):
                 obj = self.trough((10, constant, 5))

@@ -90,7 +90,9 @@ class Recognition(DocumentTest):
             self.assertLess(abs(equation_value(found, local)), 1e-12)
             for name, (low, high) in found.bounds.items():
                 value = {
-                    "x": local.x, "y": local.y, "z": local.z,
+                    "x": local.x,
+                    "y": local.y,
+                    "z": local.z,
                     "angle": low + (math.atan2(local.y, local.x) - low) % (2 * math.pi),
                 }[name]
                 self.assertGreaterEqual(value, low - 1e-9)

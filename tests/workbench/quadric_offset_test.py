@@ -6,14 +6,7 @@ import math
 import FreeCAD
 import Part
 from FreeCAD import Matrix, Placement, Rotation, Vector
-from support import (
-    DocumentTest,
-    Recovery,
-    base_and_offset,
-    grid,
-    shape_data,
-    volume,
-)
+from support import DocumentTest, Recovery, base_and_offset, grid, shape_data, volume
 
 from pnsurfaces import make_quadric_offset
 from pnsurfaces.quadric_offset import AXES, KINDS, suitable_bounds
@@ -32,16 +25,19 @@ CASES_OF_REVOLUTION = {"Cylinder": {"z": (-5, 5)}, "Cone": {"z": (4, 10)}}
 
 def _gradients(a, b, c):
     """Value and outward gradient of each kind's equation, the side of a positive distance."""
+
     def central(signs, constant):
         def both(p):
             terms = [s * x / h**2 for s, x, h in zip(signs, p, (a, b, c))]
             return sum(t * x for t, x in zip(terms, p)) + constant, Vector(*terms)
+
         return both
 
     def graph(k, m, up):
         def both(p):
             slope = Vector(2 * k * p.x, 2 * m * p.y, -1)
             return k * p.x**2 + m * p.y**2 - p.z, -slope if up else slope
+
         return both
 
     return {
@@ -60,8 +56,14 @@ class QuadricOffsetTest(DocumentTest):
     def make(self, kind, distance, **properties):
         if kind in CASES_OF_REVOLUTION:
             return make_quadric_offset(
-                kind, 20, 20, 10, distance, bounds=CASES_OF_REVOLUTION[kind],
-                document=self.document, **properties,
+                kind,
+                20,
+                20,
+                10,
+                distance,
+                bounds=CASES_OF_REVOLUTION[kind],
+                document=self.document,
+                **properties,
             )
         return make_quadric_offset(
             kind, 20, 15, 10, distance, bounds=CASES[kind], document=self.document, **properties
@@ -85,9 +87,7 @@ class Kinds(QuadricOffsetTest):
                 for base, offset in base_and_offset(obj):
                     value, gradient = equation(base)
                     self.assertLess(abs(value), 1e-10)
-                    self.assertAlmostEqual(
-                        (offset - base) * gradient.normalize(), 0.5, delta=1e-9
-                    )
+                    self.assertAlmostEqual((offset - base) * gradient.normalize(), 0.5, delta=1e-9)
 
     def test_only_the_properties_of_kind_and_region_are_shown(self):
         obj = self.make("Ellipsoid", 0)
@@ -358,9 +358,7 @@ class Errors(Recovery, QuadricOffsetTest):
         ):
             with self.subTest(sentence):
                 self.obj.Region, self.obj.MinZ, self.obj.MaxZ = "Heights", low, high
-                self.assert_fails_and_recovers(
-                    sentence, lambda: setattr(self.obj, "Region", "Whole")
-                )
+                self.assert_fails_and_recovers(sentence, lambda: setattr(self.obj, "Region", "Whole"))
 
     def test_sectors(self):
         for low, high, sentence in (
@@ -371,9 +369,7 @@ class Errors(Recovery, QuadricOffsetTest):
             with self.subTest(sentence):
                 self.obj.Region, self.obj.MinZ, self.obj.MaxZ = "Sector", -5, 5
                 self.obj.MinAngle, self.obj.MaxAngle = low, high
-                self.assert_fails_and_recovers(
-                    sentence, lambda: setattr(self.obj, "Region", "Whole")
-                )
+                self.assert_fails_and_recovers(sentence, lambda: setattr(self.obj, "Region", "Whole"))
 
     def test_a_wall_without_thickness(self):
         for distance in (0, 1e-9):
@@ -393,9 +389,7 @@ class Errors(Recovery, QuadricOffsetTest):
         matrix.scale(2, 1, 1)
         tube = Part.makeCylinder(5, 10).transformGeometry(matrix)
         self.obj.Kind, self.obj.Face = "Of a face", self.face_object(tube)
-        self.assert_fails_and_recovers(
-            "not rational", lambda: setattr(self.obj, "Kind", "Ellipsoid")
-        )
+        self.assert_fails_and_recovers("not rational", lambda: setattr(self.obj, "Kind", "Ellipsoid"))
 
     def test_face_deleted(self):
         source, name = self.ball(2, 1.5, 1)
@@ -432,8 +426,17 @@ class Storage(QuadricOffsetTest):
     def test_a_document_keeps_everything(self):
         source, name = self.ball(2, 1, 0.5)
         made = make_quadric_offset((source, name), distance=1, name="Shell")
-        names = ["Kind", "HalfAxisA", "Region", "MinZ", "MaxAngle", "Recognised", "FaceDeviation",
-                 "Degree", "Status"]
+        names = [
+            "Kind",
+            "HalfAxisA",
+            "Region",
+            "MinZ",
+            "MaxAngle",
+            "Recognised",
+            "FaceDeviation",
+            "Degree",
+            "Status",
+        ]
         modes = {name: made.getEditorMode(name) for name in ("HalfAxisA", "Face", "MinZ")}
         values = {name: str(getattr(made, name)) for name in names}
         poles = [_poles(face) for face in made.Shape.Faces]

@@ -5,15 +5,7 @@ import math
 
 import Part
 from FreeCAD import Placement, Rotation, Vector
-from support import (
-    DocumentTest,
-    Recovery,
-    base_and_offset,
-    grid,
-    polyline,
-    spline,
-    volume,
-)
+from support import DocumentTest, Recovery, base_and_offset, grid, polyline, spline, volume
 
 from pnsurfaces import make_ruled_offset
 
@@ -71,8 +63,10 @@ class Surfaces(RuledOffsetTest):
 
     def test_limits_of_a_hyperbolic_paraboloid(self):
         """With k = 1/40 its principal radii at (0, 0) are -40 and 40, at other points longer."""
-        lines = [self.shape_object(polyline((-30, y, -0.75 * y), (30, y, 0.75 * y)), "Line")
-                 for y in (-20, 20)]
+        lines = [
+            self.shape_object(polyline((-30, y, -0.75 * y), (30, y, 0.75 * y)), "Line")
+            for y in (-20, 20)
+        ]
         obj = make_ruled_offset(*lines, 1)
         self.assertAlmostEqual(obj.MinOffset.Value, -40, delta=1e-4)
         self.assertAlmostEqual(obj.MaxOffset.Value, 40, delta=1e-4)
@@ -184,9 +178,7 @@ class Errors(Recovery, RuledOffsetTest):
 
     def test_vanished_edge(self):
         self.obj.CurveB = (self.last, ["Edge9"])
-        self.assert_fails_and_recovers(
-            "Line001 has no Edge9 any more.", lambda: self.link(self.last)
-        )
+        self.assert_fails_and_recovers("Line001 has no Edge9 any more.", lambda: self.link(self.last))
 
     def test_developable_face(self):
         sheet = spline().toShape().extrude(Vector(0, 0, 30))

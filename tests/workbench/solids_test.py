@@ -37,8 +37,9 @@ class SolidsTest(DocumentTest):
 
     def saddle(self, distance=1, **properties):
         bounds = {"x": (-10, 12), "y": (-8, 9)}
-        return make_quadric_offset("Hyperbolic paraboloid", 20, 15, 10, distance, bounds=bounds,
-                                   Output="Solid", **properties)
+        return make_quadric_offset(
+            "Hyperbolic paraboloid", 20, 15, 10, distance, bounds=bounds, Output="Solid", **properties
+        )
 
     def assert_fit_for_tools(self, obj, solids=1):
         """Closed, oriented, of the smallest tolerance, and the Boolean check finds nothing."""
@@ -66,8 +67,14 @@ class Caps(SolidsTest):
     def test_capsule(self):
         for lines in ("Even", "Lowest degree"):
             with self.subTest(lines):
-                obj = make_canal_surface(self.line_object(10), 2, 0.5, Output="Solid",
-                                         Caps="Spherical", ParameterLines=lines)
+                obj = make_canal_surface(
+                    self.line_object(10),
+                    2,
+                    0.5,
+                    Output="Solid",
+                    Caps="Spherical",
+                    ParameterLines=lines,
+                )
                 self.assert_fit_for_tools(obj)
                 self.assertAlmostEqual(obj.Volume.Value / capsule(2.5, 10), 1, delta=1e-12)
                 self.assertTrue(obj.Exact)
@@ -191,8 +198,7 @@ class Measures(SolidsTest):
         for obj, exact in (
             (self.pipe(Caps="Spherical"), capsule(2, bend_length())),
             (
-                make_quadric_offset("Ellipsoid", 5, 5, 5, 2, Sides="Base and offset",
-                                    Output="Solid"),
+                make_quadric_offset("Ellipsoid", 5, 5, 5, 2, Sides="Base and offset", Output="Solid"),
                 4 / 3 * math.pi * (7**3 - 5**3),
             ),
         ):
@@ -213,8 +219,9 @@ class Measures(SolidsTest):
 class Parts(SolidsTest):
     def test_two_parts_are_two_solids(self):
         region = {"x": (-6, 10), "y": (-6, 6)}
-        obj = make_quadric_offset("Ellipsoid", 20, 15, 10, 1, bounds=region, Output="Solid",
-                                  Sides="Base and offset")
+        obj = make_quadric_offset(
+            "Ellipsoid", 20, 15, 10, 1, bounds=region, Output="Solid", Sides="Base and offset"
+        )
         self.assert_fit_for_tools(obj, solids=2)
         first, second = (solid.exportBrepToString() for solid in obj.Shape.Solids)
         volumes = kernel.pnocct().volume(first), kernel.pnocct().volume(second)
@@ -251,8 +258,9 @@ class Tools(SolidsTest):
         yield "wall of a pipe", self.pipe(2, 0.4, Sides="Both sides")
         yield "blade", self.blade(Sides="Both sides")
         yield "saddle", self.saddle(Sides="Both sides")
-        yield "bowl", make_quadric_offset("Ellipsoid", 20, 15, 10, 1, bounds={"z": (-6, 5)},
-                                          Output="Solid", Sides="Base and offset")
+        yield "bowl", make_quadric_offset(
+            "Ellipsoid", 20, 15, 10, 1, bounds={"z": (-6, 5)}, Output="Solid", Sides="Base and offset"
+        )
         yield "ellipsoid", make_quadric_offset("Ellipsoid", 20, 15, 10, 1, Output="Solid")
 
     def corner(self, shape):
@@ -312,9 +320,7 @@ class Tools(SolidsTest):
                 self.assertAlmostEqual(volume_of(body.Shape) / cut, 1, delta=1e-6)
                 fillet = body.newObject("PartDesign::Fillet", "Fillet")
                 edge = edges_of_planes(cutter.Shape)[0]
-                names = [
-                    f"Edge{i}" for i, e in enumerate(cutter.Shape.Edges, 1) if e.isSame(edge)
-                ]
+                names = [f"Edge{i}" for i, e in enumerate(cutter.Shape.Edges, 1) if e.isSame(edge)]
                 fillet.Base = (cutter, names)
                 fillet.Radius = 0.05
                 self.document.recompute()
@@ -341,6 +347,7 @@ def volume_of(shape):
 
 def edges_of_planes(shape):
     """The edges on planar faces, the longest first."""
-    edges = [edge for face in shape.Faces if isinstance(face.Surface, Part.Plane)
-             for edge in face.Edges]
+    edges = [
+        edge for face in shape.Faces if isinstance(face.Surface, Part.Plane) for edge in face.Edges
+    ]
     return sorted(edges, key=lambda edge: -edge.Length)

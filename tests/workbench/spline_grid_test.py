@@ -7,14 +7,7 @@ from FreeCAD import Vector
 from support import RADII, DocumentTest
 
 from pnsurfaces import make_canal_surface
-from pnsurfaces.spline_grid import (
-    basis,
-    jet_at,
-    points_and_normals,
-    points_at,
-    spline_surface,
-    spread,
-)
+from pnsurfaces.spline_grid import basis, jet_at, points_and_normals, points_at, spline_surface, spread
 
 # Places in a Jet, and the orders of the derivatives.
 _ORDERS = {"u": (1, 0), "v": (0, 1), "uu": (2, 0), "uv": (1, 1), "vv": (0, 2)}

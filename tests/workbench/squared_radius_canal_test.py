@@ -82,8 +82,7 @@ class Laws(SquaredRadiusTest):
 
     def test_an_expression_is_fitted_and_says_so(self):
         obj = self.make(
-            self.line_object(LENGTH), ("Expression", "25 mm^2 + 9 mm^2 * sin(pi*s)"),
-            FitTolerance=1e-4,
+            self.line_object(LENGTH), ("Expression", "25 mm^2 + 9 mm^2 * sin(pi*s)"), FitTolerance=1e-4
         )
         self.assertFalse(obj.Exact)
         self.assertIn("Fitted within", obj.Status)
@@ -97,9 +96,7 @@ class Laws(SquaredRadiusTest):
     def test_a_fit_tells_how_far_the_radius_is_off(self):
         for factor in (1, 100):
             text = f"{factor} * (25 mm^2 + 9 mm^2 * sin(pi*s))"
-            obj = self.make(
-                self.line_object(100 * LENGTH), ("Expression", text), FitTolerance=1e-3
-            )
+            obj = self.make(self.line_object(100 * LENGTH), ("Expression", text), FitTolerance=1e-3)
             worst = max(
                 abs(
                     math.sqrt(self.square_at(obj, i * LENGTH))
@@ -203,9 +200,7 @@ class Refusals(SquaredRadiusTest):
 
     def test_a_law_that_is_too_steep(self):
         self.obj.EndSquaredRadius = 1e4
-        self.assert_fails_and_recovers(
-            "radius", lambda: setattr(self.obj, "EndSquaredRadius", 85)
-        )
+        self.assert_fails_and_recovers("radius", lambda: setattr(self.obj, "EndSquaredRadius", 85))
 
     def test_a_wrong_table(self):
         self.obj.Positions, self.obj.SquaredRadii = [0, 1], [20]
@@ -219,8 +214,10 @@ class Refusals(SquaredRadiusTest):
         self.choose("Expression")
         for text, sentence in (
             ("", "The squared radius: The expression is empty. Type one, such as 4 mm^2"),
-            ("2 mm", "The squared radius: The expression gives millimetres to the power 1, not an"
-                     " area."),
+            (
+                "2 mm",
+                "The squared radius: The expression gives millimetres to the power 1, not an" " area.",
+            ),
             ("4 mm^2 - 5 mm^2 * s", "The squared radius is -0.96"),
         ):
             with self.subTest(text):

@@ -24,9 +24,7 @@ class Storage(DocumentTest):
     def setUp(self):
         super().setUp()
         law = ("Values at vertices", RADII)
-        self.obj = make_canal_surface(
-            self.spline_object(), law, 0.3, name="Horn", Sides="Both sides"
-        )
+        self.obj = make_canal_surface(self.spline_object(), law, 0.3, name="Horn", Sides="Both sides")
         self.file = str(self.folder / "horn.FCStd")
 
     def reopened(self):
@@ -67,9 +65,23 @@ class Storage(DocumentTest):
 
     def test_properties_come_back(self):
         names = [
-            "RadiusLaw", "Radius", "EndRadius", "Radii", "Distance", "Sides", "Output",
-            "ParameterLines", "Degree", "Poles", "Deviation", "DeviationBound", "Exact",
-            "MinOffset", "MaxOffset", "Status", "SchemaVersion",
+            "RadiusLaw",
+            "Radius",
+            "EndRadius",
+            "Radii",
+            "Distance",
+            "Sides",
+            "Output",
+            "ParameterLines",
+            "Degree",
+            "Poles",
+            "Deviation",
+            "DeviationBound",
+            "Exact",
+            "MinOffset",
+            "MaxOffset",
+            "Status",
+            "SchemaVersion",
         ]
         values = [getattr(self.obj, name) for name in names]
         modes = [self.obj.getEditorMode(name) for name in names]

@@ -60,9 +60,7 @@ class StoredDocuments(DocumentTest):
         return pnsurfaces.make_moving_conic_section(self.line_object(), (2, 1), up=(0, 1, 0))
 
     def _mid_surface_skins(self):
-        return pnsurfaces.make_mid_surface_skins(
-            [(0, 0, 0), (9, 0, 0), (0, 9, 0)], [1, 1, 1, 2, 2, 2]
-        )
+        return pnsurfaces.make_mid_surface_skins([(0, 0, 0), (9, 0, 0), (0, 9, 0)], [1, 1, 1, 2, 2, 2])
 
 
 class NewerDocuments(DocumentTest):

@@ -47,8 +47,7 @@ class TaperedPipe(DocumentTest):
         solid = self.pipe(Output="Solid").Shape
         box = Part.makeBox(12, 30, 30, Vector(10, -10, -10))
         whole, cut, common, fused = (
-            self.volume(shape)
-            for shape in (solid, solid.cut(box), solid.common(box), solid.fuse(box))
+            self.volume(shape) for shape in (solid, solid.cut(box), solid.common(box), solid.fuse(box))
         )
         # OpenCASCADE fits the section curves: its own measured error is a few 1e-6 of the volume.
         self.assertGreater(min(cut, common), 1)

@@ -84,8 +84,9 @@ class Slopes(DocumentTest):
         triangles = [t for k in squares for t in ((k, k + 4, k + 5), (k, k + 5, k + 1))]
         x, y = places.T
         values = np.column_stack([3 + x - 2 * y + x * x - x * y, y * y + 0.5 * x])
-        expected = np.stack([np.column_stack([1 + 2 * x - y, 0.5 + 0 * x]),
-                             np.column_stack([-2 - x, 2 * y])], axis=1)
+        expected = np.stack(
+            [np.column_stack([1 + 2 * x - y, 0.5 + 0 * x]), np.column_stack([-2 - x, 2 * y])], axis=1
+        )
         found = estimated_slopes(places, values, triangles)
         self.assertLess(np.abs(found - expected).max(), 1e-12)
 
@@ -98,8 +99,9 @@ class Slopes(DocumentTest):
 class Refusals(Recovery, DocumentTest):
     def setUp(self):
         super().setUp()
-        self.remember(pnsurfaces.make_triangulated_skins(POINTS, RADII, TRIANGLES,
-                                                         document=self.document))
+        self.remember(
+            pnsurfaces.make_triangulated_skins(POINTS, RADII, TRIANGLES, document=self.document)
+        )
 
     def restore(self):
         self.obj.Centres = [Vector(*point) for point in POINTS]
@@ -138,8 +140,9 @@ class Refusals(Recovery, DocumentTest):
 class KernelOrder(DocumentTest):
     def test_skins_are_those_of_the_kernel(self):
         slopes = np.random.default_rng(2).uniform(-0.1, 0.1, (5, 2, 2))
-        obj = pnsurfaces.make_triangulated_skins(POINTS, RADII, TRIANGLES, slopes=slopes,
-                                                 document=self.document, Skins="Inner skin")
+        obj = pnsurfaces.make_triangulated_skins(
+            POINTS, RADII, TRIANGLES, slopes=slopes, document=self.document, Skins="Inner skin"
+        )
         derivatives = np.zeros((5, 2, 4))
         derivatives[:, 0, 0] = derivatives[:, 1, 1] = 1
         derivatives[:, :, 2:] = slopes

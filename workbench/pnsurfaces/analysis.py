@@ -186,8 +186,7 @@ class _Picture:
         top = _top([np.abs(value) for value in values])
         # By the square root, which is one over a radius.
         yield from self._in_scale(
-            nodes.SIGNED,
-            [0.5 + np.sign(value) * np.sqrt(np.abs(value) / top) / 2 for value in values],
+            nodes.SIGNED, [0.5 + np.sign(value) * np.sqrt(np.abs(value) / top) / 2 for value in values]
         )
         marks = [(0.5 + part / 2, f"{part * abs(part) * top:+.3g}") for part in (-1, -0.5, 0.5, 1)]
         title = translate("PNSurfaces", "Gauss curvature, 1/mm²")

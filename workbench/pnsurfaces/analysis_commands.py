@@ -48,7 +48,7 @@ def analysis_commands():
             QT_TRANSLATE_NOOP("PNSurfaces_CurvatureMap", "Curvature Map"),
             QT_TRANSLATE_NOOP(
                 "PNSurfaces_CurvatureMap",
-                "Colours the selected surfaces by their smallest radius of curvature, on and off"
+                "Colours the selected surfaces by their smallest radius of curvature, on and off",
             ),
         ),
         AnalysisCommand(
@@ -57,7 +57,7 @@ def analysis_commands():
             QT_TRANSLATE_NOOP("PNSurfaces_GaussMap", "Gauss Curvature Map"),
             QT_TRANSLATE_NOOP(
                 "PNSurfaces_GaussMap",
-                "Colours the selected surfaces by their Gauss curvature, on and off"
+                "Colours the selected surfaces by their Gauss curvature, on and off",
             ),
         ),
         AnalysisCommand(
@@ -65,8 +65,7 @@ def analysis_commands():
             analysis.ZEBRA,
             QT_TRANSLATE_NOOP("PNSurfaces_Zebra", "Zebra"),
             QT_TRANSLATE_NOOP(
-                "PNSurfaces_Zebra",
-                "Shows the stripes that the selected surfaces reflect, on and off"
+                "PNSurfaces_Zebra", "Shows the stripes that the selected surfaces reflect, on and off"
             ),
         ),
         AnalysisCommand(
@@ -76,7 +75,7 @@ def analysis_commands():
             QT_TRANSLATE_NOOP(
                 "PNSurfaces_Combs",
                 "Shows combs of curvature along parameter lines of the selected surfaces,"
-                " on and off"
+                " on and off",
             ),
         ),
         AnalysisCommand(
@@ -84,8 +83,7 @@ def analysis_commands():
             analysis.CONTROL_NET,
             QT_TRANSLATE_NOOP("PNSurfaces_ControlNet", "Control Net"),
             QT_TRANSLATE_NOOP(
-                "PNSurfaces_ControlNet",
-                "Shows the poles of the selected surfaces, on and off"
+                "PNSurfaces_ControlNet", "Shows the poles of the selected surfaces, on and off"
             ),
         ),
         AnalysisCommand(
@@ -94,7 +92,7 @@ def analysis_commands():
             QT_TRANSLATE_NOOP("PNSurfaces_ParameterLines", "Parameter Lines"),
             QT_TRANSLATE_NOOP(
                 "PNSurfaces_ParameterLines",
-                "Shows the parameter lines of the selected surfaces, on and off"
+                "Shows the parameter lines of the selected surfaces, on and off",
             ),
         ),
     ]

@@ -7,10 +7,12 @@ from pivy import coin
 from pnsurfaces.compat import QtGui
 
 # From the lowest to the highest value, each in equal parts: red, green, blue.
-STRENGTH = np.array([[0.15, 0.25, 0.75], [0.1, 0.65, 0.85], [0.3, 0.8, 0.35], [0.98, 0.85, 0.2],
-                     [0.85, 0.1, 0.1]])
-SIGNED = np.array([[0.1, 0.3, 0.8], [0.55, 0.7, 0.95], [0.95, 0.95, 0.92], [0.97, 0.65, 0.45],
-                   [0.8, 0.1, 0.1]])
+STRENGTH = np.array(
+    [[0.15, 0.25, 0.75], [0.1, 0.65, 0.85], [0.3, 0.8, 0.35], [0.98, 0.85, 0.2], [0.85, 0.1, 0.1]]
+)
+SIGNED = np.array(
+    [[0.1, 0.3, 0.8], [0.55, 0.7, 0.95], [0.95, 0.95, 0.92], [0.97, 0.65, 0.45], [0.8, 0.1, 0.1]]
+)
 
 # Stripes of the zebra around the sphere of directions, and pixels of each.
 _STRIPES = 16
@@ -54,9 +56,7 @@ def surface(points, normals, colour):
     binding = coin.SoMaterialBinding()
     colour = np.asarray(colour, dtype=float)
     binding.value = "OVERALL" if colour.ndim == 1 else "PER_VERTEX"
-    return group(
-        *_facing(), _coordinates(points), _normals(normals), _material(colour), binding, mesh
-    )
+    return group(*_facing(), _coordinates(points), _normals(normals), _material(colour), binding, mesh)
 
 
 def triangles(points, corners, colour):
@@ -86,9 +86,7 @@ def lines(polylines, colour, width=1.0):
     style.lineWidth = width
     line_set = coin.SoLineSet()
     line_set.numVertices.setValues(0, len(polylines), [len(line) for line in polylines])
-    return group(
-        _unlit(), _material(colour), style, _coordinates(np.concatenate(polylines)), line_set
-    )
+    return group(_unlit(), _material(colour), style, _coordinates(np.concatenate(polylines)), line_set)
 
 
 def markers(points, colour):
@@ -106,9 +104,7 @@ def label(point, text):
     place.translation = tuple(map(float, point))
     framed = coin.SoType.fromName("SoFrameLabel").createInstance()
     framed.set(f'string "{text}" textColor {_triple(_INK)} backgroundColor {_triple(_PAPER)}')
-    return _in_front(
-        _unlit(), _material(_INK), place, _coordinates(np.zeros((1, 3))), marker, framed
-    )
+    return _in_front(_unlit(), _material(_INK), place, _coordinates(np.zeros((1, 3))), marker, framed)
 
 
 def legend(scale, titles, marks, number):
@@ -131,8 +127,9 @@ def legend(scale, titles, marks, number):
     numbered = enumerate(reversed(titles), start=1)
     texts = [(left, top + row * _LINE_OF_TEXT, title) for row, title in numbered]
     texts += [(right + 0.015, bottom + part * (top - bottom) - 0.012, text) for part, text in marks]
-    sheet = _sheet(left - 0.02, left + _NEXT_LEGEND - 0.04, bottom - 0.05,
-                   top + (len(titles) + 1) * _LINE_OF_TEXT)
+    sheet = _sheet(
+        left - 0.02, left + _NEXT_LEGEND - 0.04, bottom - 0.05, top + (len(titles) + 1) * _LINE_OF_TEXT
+    )
     bar = surface(grid, np.zeros(grid.shape) + (0, 0, 1), shades)
     rows = [_text_at(*entry) for entry in texts]
     return _in_front(camera, _unlit(), sheet, bar, _material(_INK), _font(), *rows)

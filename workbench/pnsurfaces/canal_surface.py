@@ -6,14 +6,7 @@ import FreeCAD
 from pnsurfaces import kernel
 from pnsurfaces.edge_chain import CONFUSION, ChainError
 from pnsurfaces.edge_fit import exact_where_possible, polynomial_where_possible
-from pnsurfaces.feature import (
-    QT_TRANSLATE_NOOP,
-    Base,
-    FeatureBase,
-    Property,
-    make_feature,
-    show_only,
-)
+from pnsurfaces.feature import QT_TRANSLATE_NOOP, Base, FeatureBase, Property, make_feature, show_only
 from pnsurfaces.linked_shape import as_link, circle_through
 from pnsurfaces.radius_law import (
     BEZIER_COEFFICIENTS,
@@ -27,11 +20,7 @@ from pnsurfaces.radius_law import (
     VALUES_AT_VERTICES,
     radius_law,
 )
-from pnsurfaces.shape import (
-    domed_solid_of_sections,
-    solid_of_sections,
-    uncapped_solid_of_sections,
-)
+from pnsurfaces.shape import domed_solid_of_sections, solid_of_sections, uncapped_solid_of_sections
 from pnsurfaces.spine import read_spine
 from pnsurfaces.spine_properties import FIT_DEVIATION, fit_tolerance, position_by
 from pnsurfaces.spline_fit import deviation_of
@@ -67,45 +56,97 @@ class CanalSurface(FeatureBase):
     schema_version = 2
 
     inputs = (
-        Property("App::PropertyLinkSub", "Spine", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Edges through the centres of the spheres")),
-        Property("App::PropertyEnumeration", "RadiusLaw", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "How the radius runs along the spine"),
-                 list(INPUTS_OF_LAW)),
-        Property("App::PropertyLength", "Radius", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Radius, or radius at the start"),
-                 1.0),
-        Property("App::PropertyLength", "EndRadius", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Radius at the end"),
-                 1.0),
-        Property("App::PropertyFloatList", "Radii", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Radii at the vertices or positions, or Bezier coefficients,"
-                                   " in mm")),
+        Property(
+            "App::PropertyLinkSub",
+            "Spine",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Edges through the centres of the spheres"),
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "RadiusLaw",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "How the radius runs along the spine"),
+            list(INPUTS_OF_LAW),
+        ),
+        Property(
+            "App::PropertyLength",
+            "Radius",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Radius, or radius at the start"),
+            1.0,
+        ),
+        Property(
+            "App::PropertyLength",
+            "EndRadius",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Radius at the end"),
+            1.0,
+        ),
+        Property(
+            "App::PropertyFloatList",
+            "Radii",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Radii at the vertices or positions, or Bezier coefficients," " in mm"
+            ),
+        ),
         position_by(GROUP),
-        Property("App::PropertyFloatList", "Positions", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Positions of the radii on the spine, arc lengths in mm")),
-        Property("App::PropertyString", "RadiusExpression", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Radius by the position s and the length L of the spine, such"
-                                   " as 2 mm + 0.5 mm * sin(2*pi*s)")),
-        Property("App::PropertyLinkSub", "Profile", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Edges that the pipe runs through")),
+        Property(
+            "App::PropertyFloatList",
+            "Positions",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Positions of the radii on the spine, arc lengths in mm"
+            ),
+        ),
+        Property(
+            "App::PropertyString",
+            "RadiusExpression",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "Radius by the position s and the length L of the spine, such"
+                " as 2 mm + 0.5 mm * sin(2*pi*s)",
+            ),
+        ),
+        Property(
+            "App::PropertyLinkSub",
+            "Profile",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Edges that the pipe runs through"),
+        ),
         fit_tolerance(GROUP),
-        Property("App::PropertyEnumeration", "Hollow", HOLLOW_GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Whether the pipe is hollow, and how its wall"
-                                   " is given"),
-                 list(INPUTS_OF_HOLLOW)),
-        Property("App::PropertyLength", "WallThickness", HOLLOW_GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Thickness of the wall, measured inwards"),
-                 1.0),
-        Property("App::PropertyLength", "InnerRadius", HOLLOW_GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Radius of the bore, the same everywhere"),
-                 1.0),
-        Property("App::PropertyEnumeration", "Caps", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "How the ends of a solid are closed"),
-                 list(CAPS)),
+        Property(
+            "App::PropertyEnumeration",
+            "Hollow",
+            HOLLOW_GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Whether the pipe is hollow, and how its wall" " is given"
+            ),
+            list(INPUTS_OF_HOLLOW),
+        ),
+        Property(
+            "App::PropertyLength",
+            "WallThickness",
+            HOLLOW_GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Thickness of the wall, measured inwards"),
+            1.0,
+        ),
+        Property(
+            "App::PropertyLength",
+            "InnerRadius",
+            HOLLOW_GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Radius of the bore, the same everywhere"),
+            1.0,
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "Caps",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "How the ends of a solid are closed"),
+            list(CAPS),
+        ),
         FIT_DEVIATION,
     )
 
@@ -217,8 +258,7 @@ def read_bore(obj):
     return _spine(obj).curve, kernel.pnkernel().Law.constant(obj.InnerRadius.Value)
 
 
-def make_canal_surface(spine, radius, distance=0, *, document=None, name="CanalSurface",
-                       **properties):
+def make_canal_surface(spine, radius, distance=0, *, document=None, name="CanalSurface", **properties):
     """A canal surface in the tree, computed. Lengths are millimetres or strings with a unit.
 
     Parameters
@@ -252,12 +292,7 @@ def make_canal_surface(spine, radius, distance=0, *, document=None, name="CanalS
     the value (TypeError, ValueError, ArithmeticError); nothing is then left in the document.
     """
     source, names = as_link(spine)
-    values = {
-        "Spine": (source, names),
-        "Distance": distance,
-        **_radius_values(radius),
-        **properties,
-    }
+    values = {"Spine": (source, names), "Distance": distance, **_radius_values(radius), **properties}
     return make_feature(CanalSurface, document or source.Document, name, values)
 
 

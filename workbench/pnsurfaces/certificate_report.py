@@ -221,9 +221,7 @@ def _shows(shape, sections):
     """Whether the faces of all sections are among those of the shape, pole for pole."""
     shown = {_poles(face.Surface) for face in shape.Faces if hasattr(face.Surface, "getPoles")}
     return all(
-        np.ascontiguousarray(face.poles).tobytes() in shown
-        for faces in sections
-        for face in faces
+        np.ascontiguousarray(face.poles).tobytes() in shown for faces in sections for face in faces
     )
 
 

@@ -74,8 +74,11 @@ def _of_section(section):
         ("Singular points", _SINGULAR_POINTS[section["regular"]]),
         ("Cut edges", _trims(section["trim_deviation"])),
         ("Working precision", f"{section['precision_bits']} bits"),
-        ("Sampled", f"{sampling['points']} points, worst {sampling['worst']:.2g} mm"
-                    f" (own rounding {sampling['rounding']:.1g} mm)"),
+        (
+            "Sampled",
+            f"{sampling['points']} points, worst {sampling['worst']:.2g} mm"
+            f" (own rounding {sampling['rounding']:.1g} mm)",
+        ),
         ("Sampled against", sampling["against"]),
         *(("Note", _escaped(note)) for note in section["notes"]),
         *_rows_of_comparison(section),

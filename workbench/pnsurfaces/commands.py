@@ -38,8 +38,12 @@ _BOUNDS = {"MinX": -20.0, "MaxX": 20.0, "MinY": -15.0, "MaxY": 15.0, "MinZ": 0.0
 
 # The net of a new mid-surface, a shallow dome, and its radii, in millimetres: corners first.
 _NET = [
-    (0.0, 0.0, 0.0), (100.0, 0.0, 0.0), (50.0, 80.0, 0.0),
-    (50.0, 0.0, 12.0), (75.0, 40.0, 12.0), (25.0, 40.0, 12.0),
+    (0.0, 0.0, 0.0),
+    (100.0, 0.0, 0.0),
+    (50.0, 80.0, 0.0),
+    (50.0, 0.0, 12.0),
+    (75.0, 40.0, 12.0),
+    (25.0, 40.0, 12.0),
 ]
 _NET_RADII = [3.0, 3.0, 3.0, 4.0, 4.0, 4.0]
 
@@ -97,7 +101,7 @@ class CanalSurfaceCommand(CreationCommand):
     menu_text = QT_TRANSLATE_NOOP("PNSurfaces_CanalSurface", "Canal Surface…")
     tooltip = QT_TRANSLATE_NOOP(
         "PNSurfaces_CanalSurface",
-        "Creates the exact pipe of varying radius around a spine, and its exact offsets"
+        "Creates the exact pipe of varying radius around a spine, and its exact offsets",
     )
     page = "canal_surface_command.md"
     transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Canal surface")
@@ -114,7 +118,7 @@ class SquaredRadiusCanalCommand(CreationCommand):
     menu_text = QT_TRANSLATE_NOOP("PNSurfaces_SquaredRadiusCanal", "Canal Surface from r²…")
     tooltip = QT_TRANSLATE_NOOP(
         "PNSurfaces_SquaredRadiusCanal",
-        "Creates the exact envelope of spheres around a spine whose squared radius is given"
+        "Creates the exact envelope of spheres around a spine whose squared radius is given",
     )
     page = "squared_radius_canal_command.md"
     transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Canal surface from r²")
@@ -132,7 +136,7 @@ class RuledOffsetCommand(CreationCommand):
     menu_text = QT_TRANSLATE_NOOP("PNSurfaces_RuledOffset", "Ruled Surface Offset…")
     tooltip = QT_TRANSLATE_NOOP(
         "PNSurfaces_RuledOffset",
-        "Creates the exact offset of the surface of straight lines between two curves"
+        "Creates the exact offset of the surface of straight lines between two curves",
     )
     page = "ruled_offset_command.md"
     transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Ruled surface offset")
@@ -145,8 +149,7 @@ class RuledOffsetCommand(CreationCommand):
         if pair is None:
             raise NothingSelected(
                 translate(
-                    "PNSurfaces",
-                    "Select two edges, wires or sketches first, or one ruled face."
+                    "PNSurfaces", "Select two edges, wires or sketches first, or one ruled face."
                 )
             )
         return _call("make_ruled_offset", *map(literal, pair), Reversed=_run_apart(*pair))
@@ -159,7 +162,7 @@ class QuadricOffsetCommand(CreationCommand):
     menu_text = QT_TRANSLATE_NOOP("PNSurfaces_QuadricOffset", "Quadric Offset…")
     tooltip = QT_TRANSLATE_NOOP(
         "PNSurfaces_QuadricOffset",
-        "Creates the exact offset of an ellipsoid, hyperboloid, paraboloid, cone or cylinder"
+        "Creates the exact offset of an ellipsoid, hyperboloid, paraboloid, cone or cylinder",
     )
     page = "quadric_offset_command.md"
     transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Quadric offset")
@@ -218,7 +221,7 @@ class MovingConicSectionCommand(CreationCommand):
     menu_text = QT_TRANSLATE_NOOP("PNSurfaces_MovingConicSection", "Moving Conic Section…")
     tooltip = QT_TRANSLATE_NOOP(
         "PNSurfaces_MovingConicSection",
-        "Creates the exact surface of ellipses, parabolas or hyperbolas along a spine, which change"
+        "Creates the exact surface of ellipses, parabolas or hyperbolas along a spine, which change",
     )
     page = "moving_conic_section_command.md"
     transaction = QT_TRANSLATE_NOOP("PNSurfaces", "Moving conic section")
@@ -244,8 +247,7 @@ class ExportStepCommand(Command):
     name = "PNSurfaces_ExportStep"
     menu_text = QT_TRANSLATE_NOOP("PNSurfaces_ExportStep", "STEP Export…")
     tooltip = QT_TRANSLATE_NOOP(
-        "PNSurfaces_ExportStep",
-        "Writes the selected objects to a STEP file that keeps every digit"
+        "PNSurfaces_ExportStep", "Writes the selected objects to a STEP file that keeps every digit"
     )
     page = "step_export_command.md"
 
@@ -267,9 +269,7 @@ class ExportStepCommand(Command):
         )
         FreeCADGui.doCommand("import pnsurfaces")
         try:
-            FreeCADGui.doCommand(
-                f"pnsurfaces.export_step({literal(objects)}, {path!r}, {options})"
-            )
+            FreeCADGui.doCommand(f"pnsurfaces.export_step({literal(objects)}, {path!r}, {options})")
         except FreeCAD.Base.FreeCADAbort:
             FreeCAD.Console.PrintMessage(translate("PNSurfaces", "STEP export cancelled.") + "\n")
         except Exception as error:
@@ -283,7 +283,7 @@ class CertificateCommand(Command):
     menu_text = QT_TRANSLATE_NOOP("PNSurfaces_Certificate", "Certificate…")
     tooltip = QT_TRANSLATE_NOOP(
         "PNSurfaces_Certificate",
-        "Shows what is proved and measured of the selected surfaces, to read, copy and save"
+        "Shows what is proved and measured of the selected surfaces, to read, copy and save",
     )
     page = "certificate_command.md"
 
@@ -395,9 +395,7 @@ def _needed_spine(selection):
     spine = selected_spine(selection)
     if spine is None:
         raise NothingSelected(
-            translate(
-                "PNSurfaces", "Select the spine first: edges of one object, a wire or a sketch."
-            )
+            translate("PNSurfaces", "Select the spine first: edges of one object, a wire or a sketch.")
         )
     return spine
 

@@ -40,10 +40,12 @@ def values_at_ends(parameters, values, first, last):
         through = np.concatenate([at_ends[:1], values[1:-1], at_ends[1:]])
         steps = np.diff(knots)
         _, bends = _derivatives(steps, np.diff(through) / steps, natural_ends)
-        return np.array([
-            _value_beside(through[0], through[1], steps[0], bends[1], parameters[0] - first),
-            _value_beside(through[-1], through[-2], steps[-1], bends[-2], last - parameters[-1]),
-        ])
+        return np.array(
+            [
+                _value_beside(through[0], through[1], steps[0], bends[1], parameters[0] - first),
+                _value_beside(through[-1], through[-2], steps[-1], bends[-2], last - parameters[-1]),
+            ]
+        )
 
     # The spline depends linearly on its values.
     none = outermost(np.zeros(2))

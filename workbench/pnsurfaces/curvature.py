@@ -88,8 +88,9 @@ def _strongest_near(curved):
             np.linspace(max(c - reach, 0), min(c + reach, size - 1), _WINDOW)
             for c, size in zip(centre, v.shape)
         )
-        window = _curved(curved.grid, Patch(np.interp(i, np.arange(len(v)), patch.u),
-                                            _bilinear(v, i, j)))
+        window = _curved(
+            curved.grid, Patch(np.interp(i, np.arange(len(v)), patch.u), _bilinear(v, i, j))
+        )
         strongest = window.strongest()
         best = np.unravel_index(np.argmax(strongest), strongest.shape)
         result = max(result, (strongest[best], window.points[best]), key=lambda pair: pair[0])

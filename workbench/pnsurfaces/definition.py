@@ -313,8 +313,7 @@ class SphereNet(NamedTuple):
         second = [2 * (a - 2 * ca + c), 2 * (ab - bc - ca + c), 2 * (b - 2 * bc + c)]
         (s_u, s_v) = slopes
         j_uu, j_uv, j_vv = (
-            -_dot(p[..., :3], q[..., :3]) + p[..., 3] * q[..., 3]
-            + _dot(rays, x[:3]) + radius * x[3]
+            -_dot(p[..., :3], q[..., :3]) + p[..., 3] * q[..., 3] + _dot(rays, x[:3]) + radius * x[3]
             for p, q, x in zip((s_u, s_u, s_v), (s_u, s_v, s_v), second)
         )
         determinant = j_uu * j_vv - j_uv**2
@@ -360,8 +359,9 @@ class SphereNets(NamedTuple):
                 here = owners == owner
                 u, v, w = chosen[here].T
                 a, b, c, ab, bc, ca = self.nets[owner].spheres[:, 3]
-                radii[here] = (u * u * a + v * v * b + w * w * c
-                               + 2 * (u * v * ab + v * w * bc + u * w * ca))
+                radii[here] = (
+                    u * u * a + v * v * b + w * w * c + 2 * (u * v * ab + v * w * bc + u * w * ca)
+                )
         return np.argsort(-depths, axis=1)[:, :_NEAREST_NETS].T
 
     def _barycentric(self, places):
@@ -407,8 +407,10 @@ def _from_edge(spheres, points, distance):
         rays, radius = points - sphere[:, :3], sphere[:, 3] + distance
         value = _dot(rays, slope[:, :3]) + radius * slope[:, 3]
         change = (
-            _dot(rays, bend[:3]) + radius * bend[3]
-            - _dot(slope[:, :3], slope[:, :3]) + slope[:, 3] ** 2
+            _dot(rays, bend[:3])
+            + radius * bend[3]
+            - _dot(slope[:, :3], slope[:, :3])
+            + slope[:, 3] ** 2
         )
         t = np.clip(t - (value / change)[:, None], 0, 1)
     sphere = (1 - t) ** 2 * a + 2 * t * (1 - t) * ab + t**2 * b
@@ -455,10 +457,12 @@ class Huygens(NamedTuple):
         centres = jet_at(self.mirror, u, v).point.reshape(-1, 3)
         radii = distance - self._path(centres)[0]
         shape = (len(u), len(v))
-        best = np.array([
-            _lowest_valleys(_length(point - centres - radii[:, None] * normal).reshape(shape))
-            for point, normal in zip(points, normals)
-        ])
+        best = np.array(
+            [
+                _lowest_valleys(_length(point - centres - radii[:, None] * normal).reshape(shape))
+                for point, normal in zip(points, normals)
+            ]
+        )
         rows, columns = np.unravel_index(best.T, shape)
         return list(zip(u[rows], v[columns]))
 
@@ -487,7 +491,9 @@ class Huygens(NamedTuple):
         falls = [_dot(gradient, slope) for slope in slopes]
         values = [_dot(rays, slope) - radius * fall for slope, fall in zip(slopes, falls)]
         j_uu, j_uv, j_vv = (
-            -_dot(slopes[i], slopes[k]) + falls[i] * falls[k] + _dot(rays, bend)
+            -_dot(slopes[i], slopes[k])
+            + falls[i] * falls[k]
+            + _dot(rays, bend)
             - radius * (_dot(gradient, bend) + np.einsum("ni,nij,nj->n", slopes[i], second, slopes[k]))
             for i, k, bend in ((0, 0, jet.uu), (0, 1, jet.uv), (1, 1, jet.vv))
         )
@@ -635,9 +641,7 @@ def _sections(obj):
 
 def _rulings(obj):
     first, last = (chain.kernel_curve() for chain in read_curves(obj))
-    return Rulings(
-        PiecewiseRational(first.spans), PiecewiseRational(last.spans, first.domain)
-    )
+    return Rulings(PiecewiseRational(first.spans), PiecewiseRational(last.spans, first.domain))
 
 
 def _quadric(obj):

@@ -206,9 +206,7 @@ def _range(curve):
 def _kernel_bspline(pn, curve):
     weights = [curve.getWeights()] if curve.isRational() else []
     poles = [tuple(pole) for pole in curve.getPoles()]
-    return pn.Curve.bspline(
-        curve.Degree, curve.getKnots(), curve.getMultiplicities(), poles, *weights
-    )
+    return pn.Curve.bspline(curve.Degree, curve.getKnots(), curve.getMultiplicities(), poles, *weights)
 
 
 def _distance(p, q):

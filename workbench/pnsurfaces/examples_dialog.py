@@ -66,9 +66,5 @@ def ask_example(parent):
 
 def _item(example):
     picture = QtGui.QPixmap(resources.page(f"images/{example.name}.png"))
-    thumbnail = picture.scaled(
-        *_THUMBNAIL, QtCore.Qt.KeepAspectRatio, QtCore.Qt.SmoothTransformation
-    )
-    return QtWidgets.QListWidgetItem(
-        QtGui.QIcon(thumbnail), translate("PNSurfaces", example.title)
-    )
+    thumbnail = picture.scaled(*_THUMBNAIL, QtCore.Qt.KeepAspectRatio, QtCore.Qt.SmoothTransformation)
+    return QtWidgets.QListWidgetItem(QtGui.QIcon(thumbnail), translate("PNSurfaces", example.title))

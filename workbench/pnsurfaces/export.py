@@ -45,12 +45,7 @@ def export_step(objects, path, schema="AP214", parametric_curves=True, progress=
     try:
         with progress_bar("STEP export", progress) as show:
             report = pnocct.write_step(
-                os.fspath(path),
-                shapes,
-                names,
-                schema=schema,
-                pcurves=parametric_curves,
-                progress=show,
+                os.fspath(path), shapes, names, schema=schema, pcurves=parametric_curves, progress=show
             )
     except pnocct.RoundTripError as error:
         if parametric_curves:

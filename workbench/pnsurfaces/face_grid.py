@@ -132,8 +132,14 @@ def _with_turns(u, boundary):
     """
     steps = np.sign(boundary[:, 1, 0] - boundary[:, 0, 0])
     goes_on = (boundary[:-1, 1] == boundary[1:, 0]).all(axis=1) & (steps[:-1] == steps[1:])
-    turns = np.concatenate([boundary[:1, 0, 0], boundary[-1:, 1, 0], boundary[:-1, 1, 0][~goes_on],
-                            boundary[1:, 0, 0][~goes_on]])
+    turns = np.concatenate(
+        [
+            boundary[:1, 0, 0],
+            boundary[-1:, 1, 0],
+            boundary[:-1, 1, 0][~goes_on],
+            boundary[1:, 0, 0][~goes_on],
+        ]
+    )
     step = (u[-1] - u[0]) / (len(u) - 1)
     beside = np.append(step * _CLOSER, _INSET * (u[-1] - u[0]))
     near = np.add.outer(turns, np.concatenate([-beside, beside]))

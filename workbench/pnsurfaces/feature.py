@@ -12,13 +12,7 @@ from pnsurfaces.edge_chain import CONFUSION
 from pnsurfaces.feature_inputs import agree, read_inputs
 from pnsurfaces.kernel import KernelMissing
 from pnsurfaces.linked_shape import LinkError
-from pnsurfaces.shape import (
-    measured,
-    own_shape,
-    solid_of_sections,
-    storage_loss,
-    surface_of_sections,
-)
+from pnsurfaces.shape import measured, own_shape, solid_of_sections, storage_loss, surface_of_sections
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -97,66 +91,134 @@ def result(type_, name, doc):
 
 
 OFFSET_INPUTS = (
-    Property("App::PropertyDistance", "Distance", "Offset",
-             QT_TRANSLATE_NOOP("App::Property", "Signed distance from the base surface")),
-    Property("App::PropertyEnumeration", "Sides", "Offset",
-             QT_TRANSLATE_NOOP("App::Property", "The surfaces that are made"),
-             list(SIDES)),
-    Property("App::PropertyDistance", "SecondDistance", "Offset",
-             QT_TRANSLATE_NOOP("App::Property",
-                               "Signed distance of the other one of two offsets")),
+    Property(
+        "App::PropertyDistance",
+        "Distance",
+        "Offset",
+        QT_TRANSLATE_NOOP("App::Property", "Signed distance from the base surface"),
+    ),
+    Property(
+        "App::PropertyEnumeration",
+        "Sides",
+        "Offset",
+        QT_TRANSLATE_NOOP("App::Property", "The surfaces that are made"),
+        list(SIDES),
+    ),
+    Property(
+        "App::PropertyDistance",
+        "SecondDistance",
+        "Offset",
+        QT_TRANSLATE_NOOP("App::Property", "Signed distance of the other one of two offsets"),
+    ),
 )
 
 OUTPUT_INPUTS = (
-    Property("App::PropertyEnumeration", "Output", "Offset",
-             QT_TRANSLATE_NOOP("App::Property", "Open surfaces, or a solid with closed ends"),
-             OUTPUTS),
-    Property("App::PropertyEnumeration", "ParameterLines", "Offset",
-             QT_TRANSLATE_NOOP("App::Property",
-                               "Smooth faces with even parameter lines, or the lowest degree"),
-             list(PARAMETER_LINES)),
+    Property(
+        "App::PropertyEnumeration",
+        "Output",
+        "Offset",
+        QT_TRANSLATE_NOOP("App::Property", "Open surfaces, or a solid with closed ends"),
+        OUTPUTS,
+    ),
+    Property(
+        "App::PropertyEnumeration",
+        "ParameterLines",
+        "Offset",
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Smooth faces with even parameter lines, or the lowest degree"
+        ),
+        list(PARAMETER_LINES),
+    ),
 )
 
 OFFSET_RESULTS = (
-    result("App::PropertyDistance", "MinOffset",
-           QT_TRANSLATE_NOOP("App::Property", "Smallest distance without a singular point")),
-    result("App::PropertyDistance", "MaxOffset",
-           QT_TRANSLATE_NOOP("App::Property", "Largest distance without a singular point")),
+    result(
+        "App::PropertyDistance",
+        "MinOffset",
+        QT_TRANSLATE_NOOP("App::Property", "Smallest distance without a singular point"),
+    ),
+    result(
+        "App::PropertyDistance",
+        "MaxOffset",
+        QT_TRANSLATE_NOOP("App::Property", "Largest distance without a singular point"),
+    ),
 )
 
 RESULTS = (
-    result("App::PropertyString", "Degree",
-           QT_TRANSLATE_NOOP("App::Property", "Degree along and across the faces")),
-    result("App::PropertyInteger", "Poles",
-           QT_TRANSLATE_NOOP("App::Property", "Number of poles of all faces")),
-    result("App::PropertyString", "Deviation",
-           QT_TRANSLATE_NOOP("App::Property",
-                             "Bound on the distance to the true surface; proven, but for"
-                             " fits that are said to be measured")),
+    result(
+        "App::PropertyString",
+        "Degree",
+        QT_TRANSLATE_NOOP("App::Property", "Degree along and across the faces"),
+    ),
+    result(
+        "App::PropertyInteger",
+        "Poles",
+        QT_TRANSLATE_NOOP("App::Property", "Number of poles of all faces"),
+    ),
+    result(
+        "App::PropertyString",
+        "Deviation",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "Bound on the distance to the true surface; proven, but for"
+            " fits that are said to be measured",
+        ),
+    ),
     # The property editor would show it as 0.00.
-    Property("App::PropertyFloat", "DeviationBound", "Result",
-             QT_TRANSLATE_NOOP("App::Property", "The same bound as a number, in millimetres"),
-             attributes=READ_ONLY | HIDDEN | OUTPUT),
-    result("App::PropertyString", "TrimDeviation",
-           QT_TRANSLATE_NOOP("App::Property",
-                             "Measured distance of the cut edges from the surface")),
-    result("App::PropertyArea", "Area",
-           QT_TRANSLATE_NOOP("App::Property", "Area of all faces, by integration")),
-    result("App::PropertyString", "AreaError",
-           QT_TRANSLATE_NOOP("App::Property", "Estimated error of the area")),
-    result("App::PropertyVolume", "Volume",
-           QT_TRANSLATE_NOOP("App::Property", "Volume of a solid, by integration")),
-    result("App::PropertyString", "VolumeError",
-           QT_TRANSLATE_NOOP("App::Property", "Estimated error of the volume")),
-    result("App::PropertyBool", "Exact",
-           QT_TRANSLATE_NOOP("App::Property", "Whether only rounding to doubles deviates")),
-    result("App::PropertyStringList", "Notes",
-           QT_TRANSLATE_NOOP("App::Property", "What else was done to the input")),
-    result("App::PropertyString", "Status",
-           QT_TRANSLATE_NOOP("App::Property", "Valid, a warning or an error")),
-    Property("App::PropertyInteger", "SchemaVersion", "Result",
-             QT_TRANSLATE_NOOP("App::Property", "Version of this list of properties"),
-             attributes=HIDDEN | OUTPUT),
+    Property(
+        "App::PropertyFloat",
+        "DeviationBound",
+        "Result",
+        QT_TRANSLATE_NOOP("App::Property", "The same bound as a number, in millimetres"),
+        attributes=READ_ONLY | HIDDEN | OUTPUT,
+    ),
+    result(
+        "App::PropertyString",
+        "TrimDeviation",
+        QT_TRANSLATE_NOOP("App::Property", "Measured distance of the cut edges from the surface"),
+    ),
+    result(
+        "App::PropertyArea",
+        "Area",
+        QT_TRANSLATE_NOOP("App::Property", "Area of all faces, by integration"),
+    ),
+    result(
+        "App::PropertyString",
+        "AreaError",
+        QT_TRANSLATE_NOOP("App::Property", "Estimated error of the area"),
+    ),
+    result(
+        "App::PropertyVolume",
+        "Volume",
+        QT_TRANSLATE_NOOP("App::Property", "Volume of a solid, by integration"),
+    ),
+    result(
+        "App::PropertyString",
+        "VolumeError",
+        QT_TRANSLATE_NOOP("App::Property", "Estimated error of the volume"),
+    ),
+    result(
+        "App::PropertyBool",
+        "Exact",
+        QT_TRANSLATE_NOOP("App::Property", "Whether only rounding to doubles deviates"),
+    ),
+    result(
+        "App::PropertyStringList",
+        "Notes",
+        QT_TRANSLATE_NOOP("App::Property", "What else was done to the input"),
+    ),
+    result(
+        "App::PropertyString",
+        "Status",
+        QT_TRANSLATE_NOOP("App::Property", "Valid, a warning or an error"),
+    ),
+    Property(
+        "App::PropertyInteger",
+        "SchemaVersion",
+        "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Version of this list of properties"),
+        attributes=HIDDEN | OUTPUT,
+    ),
 )
 
 
@@ -306,9 +368,7 @@ class FeatureBase:
         surfaces = self.sections(inputs, base.surface)
         lines = PARAMETER_LINES[inputs.ParameterLines]
         faces = [surface.bsplines(lines=lines) for surface in surfaces]
-        return Sections(
-            base, surfaces, faces, [surface.certificate_of(lines) for surface in surfaces]
-        )
+        return Sections(base, surfaces, faces, [surface.certificate_of(lines) for surface in surfaces])
 
     def _shape(self, inputs, sections):
         if inputs.Output == SOLID:
@@ -481,15 +541,20 @@ def _irregularities(distances, low, high):
     if low >= high:
         return ["No distance is proved to be free of singular points."]
     limits = [(d, low if d <= low else high) for d in distances if not low < d < high]
-    return [f"At {d:.6g} mm, beyond the limit of {limit:.6g} mm, the surface has singular points."
-            for d, limit in limits]
+    return [
+        f"At {d:.6g} mm, beyond the limit of {limit:.6g} mm, the surface has singular points."
+        for d, limit in limits
+    ]
 
 
 def _crossings(surfaces):
     """A sentence for each surface that crosses itself, as a pipe that meets itself does."""
     found = [(surface.distance, surface.self_intersection()) for surface in surfaces]
-    return [f"At {d:.6g} mm the surface crosses itself, at ({_coordinates(crossing.point)}) mm."
-            for d, crossing in found if crossing]
+    return [
+        f"At {d:.6g} mm the surface crosses itself, at ({_coordinates(crossing.point)}) mm."
+        for d, crossing in found
+        if crossing
+    ]
 
 
 def _coordinates(point):

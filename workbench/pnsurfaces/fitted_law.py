@@ -55,11 +55,13 @@ def fitted_law(function, spine, tolerance):
 
 def sampled(function, spine):
     """Pairs (parameter, radius), those at which a deviation is measured."""
-    return np.array([
-        (t, function.radius(stretch, t))
-        for stretch in spine.stretches
-        for t in samples(stretch.breaks).flat
-    ])
+    return np.array(
+        [
+            (t, function.radius(stretch, t))
+            for stretch in spine.stretches
+            for t in samples(stretch.breaks).flat
+        ]
+    )
 
 
 def _polynomial(places, spine, degree):
@@ -81,9 +83,7 @@ def _spline(function, spine, tolerance):
     multiplicities = [4, *itertools.chain(*((*ones, 3) for ones in inner))]
     multiplicities[-1] = 4
     deviation = max(piece.deviation for piece in pieces)
-    return _Spline(
-        3, np.concatenate(knots), multiplicities, np.concatenate(coefficients), deviation
-    )
+    return _Spline(3, np.concatenate(knots), multiplicities, np.concatenate(coefficients), deviation)
 
 
 def _piece(function, stretch, tolerance):

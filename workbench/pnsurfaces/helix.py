@@ -84,8 +84,12 @@ def read_circle(edge):
     first, last = edge.ParameterRange
     across = (circle.value(first) - circle.Center) / circle.Radius
     return Helix(
-        np.array(circle.Center), np.array(circle.Axis), np.array(across),
-        (0.0, 0.0), (circle.Radius, 0.0), (0.0, last - first),
+        np.array(circle.Center),
+        np.array(circle.Axis),
+        np.array(across),
+        (0.0, 0.0),
+        (circle.Radius, 0.0),
+        (0.0, last - first),
     )
 
 

@@ -5,14 +5,7 @@ import FreeCAD
 import numpy as np
 
 from pnsurfaces import kernel
-from pnsurfaces.feature import (
-    QT_TRANSLATE_NOOP,
-    SOLID,
-    Base,
-    FeatureBase,
-    Property,
-    make_feature,
-)
+from pnsurfaces.feature import QT_TRANSLATE_NOOP, SOLID, Base, FeatureBase, Property, make_feature
 from pnsurfaces.linked_shape import as_link, linked_shapes
 from pnsurfaces.several_surfaces import SeveralSurfaces
 
@@ -45,21 +38,40 @@ class MidSurfaceSkins(FeatureBase):
     """Proxy of the skins of a mid-surface with a thickness: six spheres."""
 
     inputs = (
-        Property("App::PropertyLinkSub", "Points", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Three or six vertices in place of the centres: the corners"
-                                   " first, then those between them")),
-        Property("App::PropertyVectorList", "Centres", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Centres of the spheres A, B, C, AB, BC, CA: the control points"
-                                   " of the mid-surface")),
-        Property("App::PropertyFloatList", "Radii", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Radii of the spheres in mm: half the thickness, as control"
-                                   " values")),
-        Property("App::PropertyEnumeration", "Skins", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Which of the two skins are made"),
-                 list(SKINS)),
+        Property(
+            "App::PropertyLinkSub",
+            "Points",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "Three or six vertices in place of the centres: the corners"
+                " first, then those between them",
+            ),
+        ),
+        Property(
+            "App::PropertyVectorList",
+            "Centres",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "Centres of the spheres A, B, C, AB, BC, CA: the control points" " of the mid-surface",
+            ),
+        ),
+        Property(
+            "App::PropertyFloatList",
+            "Radii",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Radii of the spheres in mm: half the thickness, as control" " values"
+            ),
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "Skins",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Which of the two skins are made"),
+            list(SKINS),
+        ),
     )
 
     def base(self, inputs):
@@ -114,8 +126,9 @@ def _linked_points(inputs):
     return [tuple(vertex.Point) for shape in shapes for vertex in shape.Vertexes]
 
 
-def make_mid_surface_skins(points, radii, distance=0, *, document=None, name="MidSurfaceSkins",
-                           **properties):
+def make_mid_surface_skins(
+    points, radii, distance=0, *, document=None, name="MidSurfaceSkins", **properties
+):
     """The skins of a mid-surface in the tree, computed. Lengths are millimetres.
 
     Parameters

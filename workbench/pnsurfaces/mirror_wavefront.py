@@ -10,14 +10,7 @@ import Part
 
 from pnsurfaces import kernel
 from pnsurfaces.bspline_surface import clamped_bspline
-from pnsurfaces.feature import (
-    QT_TRANSLATE_NOOP,
-    Base,
-    FeatureBase,
-    Property,
-    make_feature,
-    show_only,
-)
+from pnsurfaces.feature import QT_TRANSLATE_NOOP, Base, FeatureBase, Property, make_feature, show_only
 from pnsurfaces.linked_shape import LinkError, as_link, only_face
 
 GROUP = "Mirror"
@@ -45,20 +38,37 @@ class MirrorWavefront(FeatureBase):
     """Proxy of the wavefronts of parallel light, or of light from a point, behind a mirror."""
 
     inputs = (
-        Property("App::PropertyLinkSub", "Face", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "The mirror: a face, taken as its whole"
-                                                    " rectangle of parameters")),
-        Property("App::PropertyEnumeration", "Light", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Whether the light is parallel or comes from a point"),
-                 [PARALLEL, FROM_A_POINT]),
-        Property("App::PropertyVector", "Direction", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Direction of parallel light"),
-                 FreeCAD.Vector(0, 0, -1)),
-        Property("App::PropertyPosition", "Origin", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "The light source, or a point of the plane where parallel light"
-                                   " starts")),
+        Property(
+            "App::PropertyLinkSub",
+            "Face",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "The mirror: a face, taken as its whole" " rectangle of parameters"
+            ),
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "Light",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Whether the light is parallel or comes from a point"),
+            [PARALLEL, FROM_A_POINT],
+        ),
+        Property(
+            "App::PropertyVector",
+            "Direction",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Direction of parallel light"),
+            FreeCAD.Vector(0, 0, -1),
+        ),
+        Property(
+            "App::PropertyPosition",
+            "Origin",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "The light source, or a point of the plane where parallel light" " starts",
+            ),
+        ),
     )
 
     def base(self, inputs):
@@ -147,8 +157,16 @@ def _is_rational(surface):
     return surface.isURational() or surface.isVRational()
 
 
-def make_mirror_wavefront(face, distance=0, *, direction=None, origin=(0, 0, 0), document=None,
-                          name="MirrorWavefront", **properties):
+def make_mirror_wavefront(
+    face,
+    distance=0,
+    *,
+    direction=None,
+    origin=(0, 0, 0),
+    document=None,
+    name="MirrorWavefront",
+    **properties,
+):
     """The wavefront of light that a mirror reflects, in the tree, computed. Lengths are millimetres.
 
     Parameters
@@ -169,10 +187,16 @@ def make_mirror_wavefront(face, distance=0, *, direction=None, origin=(0, 0, 0),
     the value; nothing is then left in the document.
     """
     link = as_link(face)
-    light = {"Light": FROM_A_POINT} if direction is None else {
-        "Light": PARALLEL, "Direction": FreeCAD.Vector(*direction)
-    }
+    light = (
+        {"Light": FROM_A_POINT}
+        if direction is None
+        else {"Light": PARALLEL, "Direction": FreeCAD.Vector(*direction)}
+    )
     values = {
-        "Face": link, **light, "Origin": FreeCAD.Vector(*origin), "Distance": distance, **properties
+        "Face": link,
+        **light,
+        "Origin": FreeCAD.Vector(*origin),
+        "Distance": distance,
+        **properties,
     }
     return make_feature(MirrorWavefront, document or link[0].Document, name, values)

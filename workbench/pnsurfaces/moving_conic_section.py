@@ -56,110 +56,236 @@ class MovingConicSection(FeatureWithoutOffsets):
     """Proxy of the surface of ellipses around a spine, or of conics with their vertex on it."""
 
     inputs = (
-        Property("App::PropertyLinkSub", "Spine", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Edges through the centres or vertices of the sections")),
-        Property("App::PropertyEnumeration", "Planes", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Whether sections are perpendicular to the spine, parallel to"
-                                   " one another, or upright: through the direction upwards,"
-                                   " perpendicular to the spine as it is seen along that"),
-                 list(_PLANES)),
-        Property("App::PropertyVector", "Normal", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "The direction that parallel sections are"
-                                                    " perpendicular to"),
-                 FreeCAD.Vector(1, 0, 0)),
-        Property("App::PropertyVector", "Up", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "The direction upwards: the height of a section runs along it, as"
-                                   " far as its plane allows"),
-                 FreeCAD.Vector(0, 0, 1)),
-        Property("App::PropertyEnumeration", "Section", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Ellipses around the spine, or conics that open upwards from"
-                                   " their vertex on the spine"),
-                 list(SECTIONS)),
-        Property("App::PropertyEnumeration", "SectionLaw", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "How the measures of the sections run along the spine"),
-                 list(INPUTS_OF_LAW)),
-        Property("App::PropertyLength", "HalfWidth", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Half-axis to the side, everywhere or at the start"),
-                 2.0),
-        Property("App::PropertyLength", "HalfHeight", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Half-axis upwards, everywhere or at the start"),
-                 1.0),
-        Property("App::PropertyLength", "EndHalfWidth", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Half-axis to the side at the end"),
-                 2.0),
-        Property("App::PropertyLength", "EndHalfHeight", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Half-axis upwards at the end"),
-                 1.0),
-        Property("App::PropertyLength", "Radius", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Radius of curvature at the vertex, everywhere or at the start"),
-                 1.0),
-        Property("App::PropertyFloat", "ConicConstant", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Conic constant, everywhere or at the start: below -1 a"
-                                   " hyperbola, -1 a parabola, above an ellipse, 0 a circle"),
-                 -1.0),
-        Property("App::PropertyLength", "Depth", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "How high a section goes above its vertex, everywhere or at the"
-                                   " start"),
-                 1.0),
-        Property("App::PropertyLength", "EndRadius", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Radius of curvature at the vertex, at the end"),
-                 1.0),
-        Property("App::PropertyFloat", "EndConicConstant", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Conic constant at the end"),
-                 -1.0),
-        Property("App::PropertyLength", "EndDepth", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "How high a section goes above its vertex, at the end"),
-                 1.0),
+        Property(
+            "App::PropertyLinkSub",
+            "Spine",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Edges through the centres or vertices of the sections"
+            ),
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "Planes",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "Whether sections are perpendicular to the spine, parallel to"
+                " one another, or upright: through the direction upwards,"
+                " perpendicular to the spine as it is seen along that",
+            ),
+            list(_PLANES),
+        ),
+        Property(
+            "App::PropertyVector",
+            "Normal",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "The direction that parallel sections are" " perpendicular to"
+            ),
+            FreeCAD.Vector(1, 0, 0),
+        ),
+        Property(
+            "App::PropertyVector",
+            "Up",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "The direction upwards: the height of a section runs along it, as"
+                " far as its plane allows",
+            ),
+            FreeCAD.Vector(0, 0, 1),
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "Section",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "Ellipses around the spine, or conics that open upwards from"
+                " their vertex on the spine",
+            ),
+            list(SECTIONS),
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "SectionLaw",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "How the measures of the sections run along the spine"),
+            list(INPUTS_OF_LAW),
+        ),
+        Property(
+            "App::PropertyLength",
+            "HalfWidth",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Half-axis to the side, everywhere or at the start"),
+            2.0,
+        ),
+        Property(
+            "App::PropertyLength",
+            "HalfHeight",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Half-axis upwards, everywhere or at the start"),
+            1.0,
+        ),
+        Property(
+            "App::PropertyLength",
+            "EndHalfWidth",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Half-axis to the side at the end"),
+            2.0,
+        ),
+        Property(
+            "App::PropertyLength",
+            "EndHalfHeight",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Half-axis upwards at the end"),
+            1.0,
+        ),
+        Property(
+            "App::PropertyLength",
+            "Radius",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Radius of curvature at the vertex, everywhere or at the start"
+            ),
+            1.0,
+        ),
+        Property(
+            "App::PropertyFloat",
+            "ConicConstant",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "Conic constant, everywhere or at the start: below -1 a"
+                " hyperbola, -1 a parabola, above an ellipse, 0 a circle",
+            ),
+            -1.0,
+        ),
+        Property(
+            "App::PropertyLength",
+            "Depth",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "How high a section goes above its vertex, everywhere or at the" " start",
+            ),
+            1.0,
+        ),
+        Property(
+            "App::PropertyLength",
+            "EndRadius",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Radius of curvature at the vertex, at the end"),
+            1.0,
+        ),
+        Property(
+            "App::PropertyFloat",
+            "EndConicConstant",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Conic constant at the end"),
+            -1.0,
+        ),
+        Property(
+            "App::PropertyLength",
+            "EndDepth",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "How high a section goes above its vertex, at the end"),
+            1.0,
+        ),
         position_by(GROUP),
-        Property("App::PropertyFloatList", "Positions", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Positions of the rows of the table on the spine, arc lengths in"
-                                   " mm")),
-        Property("App::PropertyFloatList", "HalfWidths", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Half-axes to the side at the positions, in mm")),
-        Property("App::PropertyFloatList", "HalfHeights", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Half-axes upwards at the positions, in mm")),
-        Property("App::PropertyFloatList", "Radii", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Radii of curvature at the vertex at the positions, in mm")),
-        Property("App::PropertyFloatList", "ConicConstants", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Conic constants at the positions")),
-        Property("App::PropertyFloatList", "Depths", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "How high sections go above their vertex at the positions, in"
-                                   " mm")),
-        Property("App::PropertyString", "HalfWidthExpression", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Half-axis to the side by the position s and the length L of the"
-                                   " spine, such as 20 mm + 5 mm * cos(pi*s)")),
-        Property("App::PropertyString", "HalfHeightExpression", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Half-axis upwards by the position s and the length L of the"
-                                   " spine, such as 10 mm * exp(s)")),
-        Property("App::PropertyString", "RadiusExpression", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Radius of curvature at the vertex by the position s and the"
-                                   " length L of the spine, such as 20 mm + 5 mm * s")),
-        Property("App::PropertyString", "ConicConstantExpression", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Conic constant by the position s, a plain number, such as"
-                                   " -1 + 0.5 * sin(pi*s)")),
-        Property("App::PropertyString", "DepthExpression", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "How high a section goes above its vertex by the position s and"
-                                   " the length L of the spine, such as 10 mm")),
+        Property(
+            "App::PropertyFloatList",
+            "Positions",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "Positions of the rows of the table on the spine, arc lengths in" " mm",
+            ),
+        ),
+        Property(
+            "App::PropertyFloatList",
+            "HalfWidths",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Half-axes to the side at the positions, in mm"),
+        ),
+        Property(
+            "App::PropertyFloatList",
+            "HalfHeights",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Half-axes upwards at the positions, in mm"),
+        ),
+        Property(
+            "App::PropertyFloatList",
+            "Radii",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Radii of curvature at the vertex at the positions, in mm"
+            ),
+        ),
+        Property(
+            "App::PropertyFloatList",
+            "ConicConstants",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Conic constants at the positions"),
+        ),
+        Property(
+            "App::PropertyFloatList",
+            "Depths",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "How high sections go above their vertex at the positions, in" " mm"
+            ),
+        ),
+        Property(
+            "App::PropertyString",
+            "HalfWidthExpression",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "Half-axis to the side by the position s and the length L of the"
+                " spine, such as 20 mm + 5 mm * cos(pi*s)",
+            ),
+        ),
+        Property(
+            "App::PropertyString",
+            "HalfHeightExpression",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "Half-axis upwards by the position s and the length L of the"
+                " spine, such as 10 mm * exp(s)",
+            ),
+        ),
+        Property(
+            "App::PropertyString",
+            "RadiusExpression",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "Radius of curvature at the vertex by the position s and the"
+                " length L of the spine, such as 20 mm + 5 mm * s",
+            ),
+        ),
+        Property(
+            "App::PropertyString",
+            "ConicConstantExpression",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "Conic constant by the position s, a plain number, such as" " -1 + 0.5 * sin(pi*s)",
+            ),
+        ),
+        Property(
+            "App::PropertyString",
+            "DepthExpression",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "How high a section goes above its vertex by the position s and"
+                " the length L of the spine, such as 10 mm",
+            ),
+        ),
         fit_tolerance(GROUP),
         FIT_DEVIATION,
     )
@@ -168,9 +294,7 @@ class MovingConicSection(FeatureWithoutOffsets):
         spine = _spine(inputs)
         section, laws = SECTIONS[inputs.Section], section_laws(inputs, spine)
         surface = kernel.pnkernel().moving_conic_section(
-            spine.curve,
-            **{section.argument: [law.kernel_law() for law in laws]},
-            **planes_of(inputs),
+            spine.curve, **{section.argument: [law.kernel_law() for law in laws]}, **planes_of(inputs)
         )
         # Where planes do not turn with a fitted spine, points move by as much as it does.
         fits = (*spine.fits, *section.displacements(laws))
@@ -202,8 +326,9 @@ class MovingConicSection(FeatureWithoutOffsets):
 def _show_inputs(obj):
     """Hides the properties that belong to other choices."""
     shown = inputs_of_law(obj.Section, obj.SectionLaw)
-    show_only(obj, ["Normal", *shown] if obj.Planes == PARALLEL else shown,
-              {"Normal", *inputs_of_all_laws()})
+    show_only(
+        obj, ["Normal", *shown] if obj.Planes == PARALLEL else shown, {"Normal", *inputs_of_all_laws()}
+    )
 
 
 def spine_of(obj, source, names):
@@ -253,8 +378,17 @@ def _is_line_along(edge, direction):
     return edge.Curve.Direction.cross(direction).Length <= CONFUSION
 
 
-def make_moving_conic_section(spine, half_axes=None, *, vertex=None, up=(0, 0, 1), normal=None,
-                              document=None, name="MovingConicSection", **properties):
+def make_moving_conic_section(
+    spine,
+    half_axes=None,
+    *,
+    vertex=None,
+    up=(0, 0, 1),
+    normal=None,
+    document=None,
+    name="MovingConicSection",
+    **properties,
+):
     """The surface of a conic section along a spine, in the tree, computed. Lengths are millimetres
     or strings with a unit.
 
@@ -286,9 +420,11 @@ def make_moving_conic_section(spine, half_axes=None, *, vertex=None, up=(0, 0, 1
     if (half_axes is None) == (vertex is None):
         raise ValueError("Either half_axes or vertex must be given.")
     link = as_link(spine)
-    planes = {"Planes": PERPENDICULAR} if normal is None else {
-        "Planes": PARALLEL, "Normal": FreeCAD.Vector(*normal)
-    }
+    planes = (
+        {"Planes": PERPENDICULAR}
+        if normal is None
+        else {"Planes": PARALLEL, "Normal": FreeCAD.Vector(*normal)}
+    )
     section, given = (ELLIPSE, half_axes) if vertex is None else (FROM_THE_VERTEX, vertex)
     values = {
         "Spine": link,

@@ -9,18 +9,8 @@ from pnsurfaces.moving_conic_section import PARALLEL, spine_of
 from pnsurfaces.panel import load_form
 from pnsurfaces.position import ARC_LENGTH
 from pnsurfaces.radius_law import EXPRESSION, TABLE
-from pnsurfaces.radius_table import (
-    RadiusTable,
-    length_column,
-    number_column,
-    short_length_column,
-)
-from pnsurfaces.section_law import (
-    SECTIONS,
-    inputs_of_all_laws,
-    inputs_of_law,
-    number_of_property,
-)
+from pnsurfaces.radius_table import RadiusTable, length_column, number_column, short_length_column
+from pnsurfaces.section_law import SECTIONS, inputs_of_all_laws, inputs_of_law, number_of_property
 from pnsurfaces.spine_panel import SpinePanel, show_if
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP

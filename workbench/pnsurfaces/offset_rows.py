@@ -80,9 +80,14 @@ class NoOffsetRows:
     def __init__(self, offset, result):
         offset.setWindowTitle(translate("PNSurfaces", "Output"))
         for widget in (
-            offset.distance_label, offset.Distance, offset.sides_label, offset.Sides,
-            offset.second_distance_label, offset.SecondDistance,
-            result.regular_range_label, result.regular_range,
+            offset.distance_label,
+            offset.Distance,
+            offset.sides_label,
+            offset.Sides,
+            offset.second_distance_label,
+            offset.SecondDistance,
+            result.regular_range_label,
+            result.regular_range,
         ):
             widget.hide()
         offset.no_offsets.show()

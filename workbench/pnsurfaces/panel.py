@@ -227,9 +227,7 @@ class TaskPanel:
         choices = self.feature.getEnumerationsOfProperty(name)
         offer(combo_box, choices, getattr(self.feature, name))
         chosen = {shown_choice(choice): choice for choice in choices}
-        connect(
-            combo_box, "currentTextChanged(QString)", lambda text: self.assign(name, chosen[text])
-        )
+        connect(combo_box, "currentTextChanged(QString)", lambda text: self.assign(name, chosen[text]))
 
     def _bind_switch(self, check_box, name):
         check_box.setChecked(getattr(self.feature, name))

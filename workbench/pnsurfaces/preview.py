@@ -224,9 +224,7 @@ def _timer(interval, is_single, slot):
 def _silent_logs():
     """Keeps the logs from showing a traceback at an unfinished number: the panel says all."""
     console = FreeCAD.Console
-    spoken = [
-        (log, kind) for log in _LOGS for kind in ("Err", "Wrn") if console.GetStatus(log, kind)
-    ]
+    spoken = [(log, kind) for log in _LOGS for kind in ("Err", "Wrn") if console.GetStatus(log, kind)]
     for log, kind in spoken:
         console.SetStatus(log, kind, False)
     try:

@@ -26,7 +26,9 @@ class Profile:
 
     def __init__(self, source, names, container=None):
         edges = [
-            edge for shape in linked_shapes(source, names, container) for edge in shape.Edges
+            edge
+            for shape in linked_shapes(source, names, container)
+            for edge in shape.Edges
             if not edge.Degenerated
         ]
         if not edges:
@@ -70,8 +72,10 @@ def _is_opposite(profile, line):
     normals = [_cross(along, first), _cross(along, last)]
     in_plane = _dot(normals[0], last) == 0
     same_side = _dot(*normals) > 0
-    return in_plane and same_side and all(
-        0 <= _dot(along, offset) <= _dot(along, along) for offset in (first, last)
+    return (
+        in_plane
+        and same_side
+        and all(0 <= _dot(along, offset) <= _dot(along, along) for offset in (first, last))
     )
 
 

@@ -25,8 +25,10 @@ def _monomials(point):
 def _points(surface):
     """Homogeneous points (w x, w y, w z, w) over Q of a surface, on a grid of every piece."""
     net = [
-        [(*(Fraction(weight) * Fraction(x) for x in pole), Fraction(weight))
-         for pole, weight in zip(*row)]
+        [
+            (*(Fraction(weight) * Fraction(x) for x in pole), Fraction(weight))
+            for pole, weight in zip(*row)
+        ]
         for row in zip(surface.getPoles(), surface.getWeights())
     ]
     in_u = _basis_rows(surface.UDegree, surface.getUKnots(), surface.getUMultiplicities())
@@ -58,9 +60,7 @@ def _basis(knots, span, degree, t):
     """The B-splines of a degree that live on the span, at t (Cox and de Boor)."""
     values = [Fraction(1)]
     for p in range(1, degree + 1):
-        shares = [
-            values[r] / (knots[span + r + 1] - knots[span + 1 - p + r]) for r in range(p)
-        ]
+        shares = [values[r] / (knots[span + r + 1] - knots[span + 1 - p + r]) for r in range(p)]
         values = [
             (shares[r - 1] * (t - knots[span - p + r]) if r else 0)
             + (shares[r] * (knots[span + r + 1] - t) if r < p else 0)

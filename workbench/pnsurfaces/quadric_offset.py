@@ -49,24 +49,24 @@ class Kind(NamedTuple):
 _HEIGHTS_OR_SIDES = ("Heights", "Rectangle", "Box", "Sector")
 
 KINDS = {
-    "Ellipsoid":
-        Kind("ellipsoid", AXES, (WHOLE, *_HEIGHTS_OR_SIDES), (0, 1), "x²/a² + y²/b² + z²/c² = 1"),
-    "One-sheet hyperboloid":
-        Kind("one_sheet_hyperboloid", AXES, ("Heights", "Sector"), (-1, 1),
-             "x²/a² + y²/b² − z²/c² = 1"),
-    "Two-sheet hyperboloid":
-        Kind("two_sheet_hyperboloid", AXES, _HEIGHTS_OR_SIDES, (0, 2),
-             "z²/c² − x²/a² − y²/b² = 1, z > 0"),
-    "Elliptic paraboloid":
-        Kind("elliptic_paraboloid", AXES, _HEIGHTS_OR_SIDES, (0, 1), "z = c (x²/a² + y²/b²)"),
-    "Hyperbolic paraboloid":
-        Kind("hyperbolic_paraboloid", AXES, ("Rectangle",), (-1, 1), "z = c (x²/a² − y²/b²)"),
-    "Cylinder":
-        Kind("elliptic_cylinder", AXES[:1], ("Heights",), (0, 2), "x² + y² = a²"),
-    "Cone":
-        Kind("elliptic_cone", AXES[::2], ("Heights",), (0.5, 1), "x² + y² = a² z²/c²"),
-    "Parabolic cylinder":
-        Kind("parabolic_cylinder", AXES[::2], ("Rectangle",), (0, 1), "z = c x²/a²"),
+    "Ellipsoid": Kind(
+        "ellipsoid", AXES, (WHOLE, *_HEIGHTS_OR_SIDES), (0, 1), "x²/a² + y²/b² + z²/c² = 1"
+    ),
+    "One-sheet hyperboloid": Kind(
+        "one_sheet_hyperboloid", AXES, ("Heights", "Sector"), (-1, 1), "x²/a² + y²/b² − z²/c² = 1"
+    ),
+    "Two-sheet hyperboloid": Kind(
+        "two_sheet_hyperboloid", AXES, _HEIGHTS_OR_SIDES, (0, 2), "z²/c² − x²/a² − y²/b² = 1, z > 0"
+    ),
+    "Elliptic paraboloid": Kind(
+        "elliptic_paraboloid", AXES, _HEIGHTS_OR_SIDES, (0, 1), "z = c (x²/a² + y²/b²)"
+    ),
+    "Hyperbolic paraboloid": Kind(
+        "hyperbolic_paraboloid", AXES, ("Rectangle",), (-1, 1), "z = c (x²/a² − y²/b²)"
+    ),
+    "Cylinder": Kind("elliptic_cylinder", AXES[:1], ("Heights",), (0, 2), "x² + y² = a²"),
+    "Cone": Kind("elliptic_cone", AXES[::2], ("Heights",), (0.5, 1), "x² + y² = a² z²/c²"),
+    "Parabolic cylinder": Kind("parabolic_cylinder", AXES[::2], ("Rectangle",), (0, 1), "z = c x²/a²"),
 }
 
 # The choice of Kind that stands for the quadric on which the face lies.
@@ -95,38 +95,71 @@ class QuadricOffset(FeatureBase):
     """Proxy of the offset of a quadric: its half-axes and a region, or a face that lies on it."""
 
     inputs = (
-        Property("App::PropertyEnumeration", "Kind", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "The kind of quadric, in standard position"),
-                 [*KINDS, OF_FACE]),
-        Property("App::PropertyLength", "HalfAxisA", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Half-axis a, along x"), 1.0),
-        Property("App::PropertyLength", "HalfAxisB", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Half-axis b, along y"), 1.0),
-        Property("App::PropertyLength", "HalfAxisC", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Half-axis c, along z; of a paraboloid its height at x = a"),
-                 1.0),
-        Property("App::PropertyLinkSub", "Face", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "A face that lies on a quadric; the placement follows it")),
-        Property("App::PropertyEnumeration", "Region", "Region",
-                 QT_TRANSLATE_NOOP("App::Property", "What ends the base surface"),
-                 list(REGIONS)),
+        Property(
+            "App::PropertyEnumeration",
+            "Kind",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "The kind of quadric, in standard position"),
+            [*KINDS, OF_FACE],
+        ),
+        Property(
+            "App::PropertyLength",
+            "HalfAxisA",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Half-axis a, along x"),
+            1.0,
+        ),
+        Property(
+            "App::PropertyLength",
+            "HalfAxisB",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Half-axis b, along y"),
+            1.0,
+        ),
+        Property(
+            "App::PropertyLength",
+            "HalfAxisC",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Half-axis c, along z; of a paraboloid its height at x = a"
+            ),
+            1.0,
+        ),
+        Property(
+            "App::PropertyLinkSub",
+            "Face",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "A face that lies on a quadric; the placement follows it"
+            ),
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "Region",
+            "Region",
+            QT_TRANSLATE_NOOP("App::Property", "What ends the base surface"),
+            list(REGIONS),
+        ),
         _bound("MinX", QT_TRANSLATE_NOOP("App::Property", "Smallest x of the base surface"), -1.0),
         _bound("MaxX", QT_TRANSLATE_NOOP("App::Property", "Largest x of the base surface"), 1.0),
         _bound("MinY", QT_TRANSLATE_NOOP("App::Property", "Smallest y of the base surface"), -1.0),
         _bound("MaxY", QT_TRANSLATE_NOOP("App::Property", "Largest y of the base surface"), 1.0),
         _bound("MinZ", QT_TRANSLATE_NOOP("App::Property", "Smallest z of the base surface"), -1.0),
         _bound("MaxZ", QT_TRANSLATE_NOOP("App::Property", "Largest z of the base surface"), 1.0),
-        _bound("MinAngle", QT_TRANSLATE_NOOP("App::Property", "Where the sector begins, from x"),
-               0.0),
-        _bound("MaxAngle", QT_TRANSLATE_NOOP("App::Property", "Where the sector ends, from x"),
-               120.0),
-        result("App::PropertyString", "Recognised",
-               QT_TRANSLATE_NOOP("App::Property", "The quadric on which the face lies")),
-        result("App::PropertyString", "FaceDeviation",
-               QT_TRANSLATE_NOOP("App::Property",
-                                 "Largest measured distance of the face from the quadric")),
+        _bound("MinAngle", QT_TRANSLATE_NOOP("App::Property", "Where the sector begins, from x"), 0.0),
+        _bound("MaxAngle", QT_TRANSLATE_NOOP("App::Property", "Where the sector ends, from x"), 120.0),
+        result(
+            "App::PropertyString",
+            "Recognised",
+            QT_TRANSLATE_NOOP("App::Property", "The quadric on which the face lies"),
+        ),
+        result(
+            "App::PropertyString",
+            "FaceDeviation",
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Largest measured distance of the face from the quadric"
+            ),
+        ),
     )
 
     def base(self, obj):
@@ -160,9 +193,12 @@ def suitable_bounds(obj):
     a, b, c = half_axes(obj)
     low, high = KINDS[obj.Kind].heights
     return {
-        "MinX": -a / 2, "MaxX": a / 2,
-        "MinY": -b / 2, "MaxY": b / 2,
-        "MinZ": low * c, "MaxZ": high * c,
+        "MinX": -a / 2,
+        "MaxX": a / 2,
+        "MinY": -b / 2,
+        "MaxY": b / 2,
+        "MinZ": low * c,
+        "MaxZ": high * c,
     }
 
 
@@ -189,8 +225,19 @@ def describe(quadric):
     return f"{title} with {', '.join(axes)}"
 
 
-def make_quadric_offset(kind_or_face, a=1.0, b=1.0, c=1.0, distance=0, *, bounds=None,
-                        placement=None, document=None, name="QuadricOffset", **properties):
+def make_quadric_offset(
+    kind_or_face,
+    a=1.0,
+    b=1.0,
+    c=1.0,
+    distance=0,
+    *,
+    bounds=None,
+    placement=None,
+    document=None,
+    name="QuadricOffset",
+    **properties,
+):
     """The offset of a quadric in the tree, computed. Lengths are millimetres or strings.
 
     Parameters

@@ -116,9 +116,7 @@ class RadiusLawPanel(SpinePanel):
             self.table.show(rows, [column], translate("PNSurfaces", "Vertex {}"))
 
     def _joins_first_vertex(self):
-        return (
-            self._law == VALUES_AT_VERTICES and self._spine is not None and self._spine.closed
-        )
+        return self._law == VALUES_AT_VERTICES and self._spine is not None and self._spine.closed
 
     def _assign_table(self):
         values = self.table.column(-1)

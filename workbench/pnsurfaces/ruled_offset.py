@@ -18,16 +18,31 @@ class RuledOffset(FeatureBase):
     """Proxy of the offset of a ruled surface: two curves, or one ruled face."""
 
     inputs = (
-        Property("App::PropertyLinkSub", "CurveA", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Edges of the curve where the rulings start")),
-        Property("App::PropertyLinkSub", "CurveB", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Edges of the curve where the rulings end")),
-        Property("App::PropertyBool", "Reversed", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Whether the second curve is run through from its end"),
-                 False),
-        Property("App::PropertyLinkSub", "Face", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "A ruled face, instead of the two curves")),
+        Property(
+            "App::PropertyLinkSub",
+            "CurveA",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Edges of the curve where the rulings start"),
+        ),
+        Property(
+            "App::PropertyLinkSub",
+            "CurveB",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Edges of the curve where the rulings end"),
+        ),
+        Property(
+            "App::PropertyBool",
+            "Reversed",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Whether the second curve is run through from its end"),
+            False,
+        ),
+        Property(
+            "App::PropertyLinkSub",
+            "Face",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "A ruled face, instead of the two curves"),
+        ),
     )
 
     def base(self, obj):
@@ -62,8 +77,9 @@ def _skew_face(face):
 
 def _require_no_revolution(links, container):
     """Refuses two circles that bound a cylinder or cone, for the same reason."""
-    edges = [edge for link in links for shape in linked_shapes(*link, container)
-             for edge in shape.Edges]
+    edges = [
+        edge for link in links for shape in linked_shapes(*link, container) for edge in shape.Edges
+    ]
     if len(edges) != 2 or not all(isinstance(edge.Curve, Part.Circle) for edge in edges):
         return
     one, other = (edge.Curve for edge in edges)
@@ -78,8 +94,9 @@ def _require_no_revolution(links, container):
         )
 
 
-def make_ruled_offset(edge_a, edge_b=None, distance=0, *, document=None, name="RuledOffset",
-                      **properties):
+def make_ruled_offset(
+    edge_a, edge_b=None, distance=0, *, document=None, name="RuledOffset", **properties
+):
     """The offset of a ruled surface in the tree, computed. Lengths are millimetres or strings.
 
     Parameters

@@ -39,9 +39,9 @@ class RuledOffsetPanel(TaskPanel):
         self._show_source()
 
     def _show_source(self):
-        links = [self.feature.Face] if self.feature.Face else [
-            self.feature.CurveA, self.feature.CurveB
-        ]
+        links = (
+            [self.feature.Face] if self.feature.Face else [self.feature.CurveA, self.feature.CurveB]
+        )
         titles = "<br>".join(f"<b>{title(link)}</b>" for link in links if link)
         try:
             curves = read_curves(self.feature)

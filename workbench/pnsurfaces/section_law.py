@@ -15,14 +15,7 @@ import numpy as np
 from pnsurfaces.canal_surface import lengths
 from pnsurfaces.radius_error import RadiusLawError
 from pnsurfaces.radius_expression import LENGTH, NUMBER
-from pnsurfaces.radius_law import (
-    CONSTANT,
-    EXPRESSION,
-    LINEAR,
-    TABLE,
-    fitted_expression,
-    radius_law,
-)
+from pnsurfaces.radius_law import CONSTANT, EXPRESSION, LINEAR, TABLE, fitted_expression, radius_law
 from pnsurfaces.spline_grid import spread
 
 ELLIPSE = "Ellipse"

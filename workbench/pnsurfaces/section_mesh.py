@@ -117,9 +117,7 @@ def _boundary(face):
     """Straight pieces (s, 2, 2) of the edges of a trimmed face, in parameters from 0 to 1."""
     ranges = [np.asarray(getattr(face, f"{side}_knots"))[[0, -1]] for side in ("u", "v")]
     first, last = np.transpose(ranges)
-    lines = [
-        (_curve_points(curve) - first) / (last - first) for loop in face.trims for curve in loop
-    ]
+    lines = [(_curve_points(curve) - first) / (last - first) for loop in face.trims for curve in loop]
     return np.concatenate([np.stack([line[:-1], line[1:]], axis=1) for line in lines])
 
 
@@ -142,8 +140,10 @@ def _strips(u, boundary):
         cut = [(value, _intervals(boundary, value)) for value in values]
         alike = [(value, intervals) for value, intervals in cut if len(intervals) == count]
         for k in range(count):
-            yield (np.array([value for value, _ in alike]),
-                   np.array([intervals[k] for _, intervals in alike]))
+            yield (
+                np.array([value for value, _ in alike]),
+                np.array([intervals[k] for _, intervals in alike]),
+            )
 
 
 def _with_lines_at_changes(lines, boundary):
@@ -154,9 +154,7 @@ def _with_lines_at_changes(lines, boundary):
             for _ in range(_HALVINGS):
                 middle = (line[0] + after[0]) / 2
                 found = middle, _intervals(boundary, middle)
-                line, after = (
-                    (found, after) if len(found[1]) == len(line[1]) else (line, found)
-                )
+                line, after = (found, after) if len(found[1]) == len(line[1]) else (line, found)
             yield line
             yield after
     yield lines[-1]

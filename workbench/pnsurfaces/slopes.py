@@ -15,10 +15,12 @@ def estimated_slopes(places, values, triangles):
     quadratic polynomial that has its value and is the least-squares fit to its neighbours and theirs,
     the shortest one where these are too few. What is quadratic is met exactly, but for rounding.
     """
-    return np.array([
-        _slope(places[near] - places[i], values[near] - values[i])
-        for i, near in enumerate(_neighbourhoods(len(places), triangles))
-    ])
+    return np.array(
+        [
+            _slope(places[near] - places[i], values[near] - values[i])
+            for i, near in enumerate(_neighbourhoods(len(places), triangles))
+        ]
+    )
 
 
 def _neighbourhoods(count, triangles):

@@ -5,14 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pnsurfaces.edge_chain import (
-    CONFUSION,
-    end,
-    lay_end_to_end,
-    place,
-    read_edge_chain,
-    start,
-)
+from pnsurfaces.edge_chain import CONFUSION, end, lay_end_to_end, place, read_edge_chain, start
 from pnsurfaces.edge_fit import exact_where_possible
 from pnsurfaces.spline_fit import Fit
 

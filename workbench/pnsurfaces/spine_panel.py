@@ -127,9 +127,7 @@ class SpinePanel(TaskPanel):
         """A row below the current one, halfway to the next."""
         rows, current = self.table.rows, self._current_row()
         near = rows[max(current, 0) : current + 2] if len(rows) > 1 else rows
-        self._assign_rows(
-            [*rows[: current + 1], list(np.mean(near, axis=0)), *rows[current + 1 :]]
-        )
+        self._assign_rows([*rows[: current + 1], list(np.mean(near, axis=0)), *rows[current + 1 :]])
 
     def _remove_row(self):
         rows, current = self.table.rows, self._current_row()
@@ -155,8 +153,9 @@ class SpinePanel(TaskPanel):
             return self.table.read_rows(QtWidgets.QApplication.clipboard().text())
         except ValueError:
             self.explain(
-                translate("PNSurfaces", "The clipboard has no table of {} columns of numbers.")
-                .format(self.table.columnCount())
+                translate("PNSurfaces", "The clipboard has no table of {} columns of numbers.").format(
+                    self.table.columnCount()
+                )
             )
             return []
 

@@ -8,7 +8,9 @@ from pnsurfaces.spline_fit import FIT_TOLERANCE
 
 def position_by(group):
     return Property(
-        "App::PropertyEnumeration", "PositionBy", group,
+        "App::PropertyEnumeration",
+        "PositionBy",
+        group,
         QT_TRANSLATE_NOOP("App::Property", "What positions on the spine count"),
         MEASURES,
     )
@@ -17,14 +19,18 @@ def position_by(group):
 def fit_tolerance(group):
     # The property editor would show it as 0.00.
     return Property(
-        "App::PropertyLength", "FitTolerance", group,
+        "App::PropertyLength",
+        "FitTolerance",
+        group,
         QT_TRANSLATE_NOOP("App::Property", "How far a fit may be from what has no exact form"),
         FIT_TOLERANCE,
     )
 
 
 FIT_DEVIATION = result(
-    "App::PropertyString", "FitDeviation",
-    QT_TRANSLATE_NOOP("App::Property",
-                      "How far fits are off, part of the deviation; proven or measured"),
+    "App::PropertyString",
+    "FitDeviation",
+    QT_TRANSLATE_NOOP(
+        "App::Property", "How far fits are off, part of the deviation; proven or measured"
+    ),
 )

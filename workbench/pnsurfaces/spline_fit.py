@@ -122,7 +122,9 @@ def _end_poles(degree, steps, values, slopes, bends=None):
 
 def bernstein(degree, shares):
     """The Bernstein polynomials of a degree at shares of their interval, one row for each share."""
-    return np.array([
-        [math.comb(degree, k) * s**k * (1 - s) ** (degree - k) for k in range(degree + 1)]
-        for s in shares
-    ])
+    return np.array(
+        [
+            [math.comb(degree, k) * s**k * (1 - s) ** (degree - k) for k in range(degree + 1)]
+            for s in shares
+        ]
+    )

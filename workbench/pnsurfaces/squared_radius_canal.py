@@ -28,35 +28,69 @@ class SquaredRadiusCanal(FeatureBase):
     """Proxy of a canal surface from r^2: a spine and the law of the squared radius along it."""
 
     inputs = (
-        Property("App::PropertyLinkSub", "Spine", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Edges through the centres of the spheres")),
-        Property("App::PropertyEnumeration", "SquaredRadiusLaw", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "How the squared radius runs along the spine"),
-                 list(INPUTS_OF_LAW)),
-        Property("App::PropertyArea", "SquaredRadius", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Squared radius, or that at the start"),
-                 1.0),
-        Property("App::PropertyArea", "EndSquaredRadius", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Squared radius at the end"),
-                 1.0),
-        Property("App::PropertyFloatList", "SquaredRadii", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Squared radii at the positions, or Bezier coefficients, in"
-                                   " mm^2")),
+        Property(
+            "App::PropertyLinkSub",
+            "Spine",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Edges through the centres of the spheres"),
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "SquaredRadiusLaw",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "How the squared radius runs along the spine"),
+            list(INPUTS_OF_LAW),
+        ),
+        Property(
+            "App::PropertyArea",
+            "SquaredRadius",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Squared radius, or that at the start"),
+            1.0,
+        ),
+        Property(
+            "App::PropertyArea",
+            "EndSquaredRadius",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Squared radius at the end"),
+            1.0,
+        ),
+        Property(
+            "App::PropertyFloatList",
+            "SquaredRadii",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Squared radii at the positions, or Bezier coefficients, in" " mm^2"
+            ),
+        ),
         position_by(GROUP),
-        Property("App::PropertyFloatList", "Positions", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Positions of the squared radii on the spine, arc lengths in"
-                                   " mm")),
-        Property("App::PropertyString", "SquaredRadiusExpression", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Squared radius by the position s and the length L of the"
-                                   " spine, such as 4 mm^2 + 5 mm^2 * sin(pi*s)")),
+        Property(
+            "App::PropertyFloatList",
+            "Positions",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Positions of the squared radii on the spine, arc lengths in" " mm"
+            ),
+        ),
+        Property(
+            "App::PropertyString",
+            "SquaredRadiusExpression",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "Squared radius by the position s and the length L of the"
+                " spine, such as 4 mm^2 + 5 mm^2 * sin(pi*s)",
+            ),
+        ),
         fit_tolerance(GROUP),
         FIT_DEVIATION,
-        result("App::PropertyBool", "RationalRadius",
-               QT_TRANSLATE_NOOP("App::Property",
-                                 "Whether the radius itself is rational, so that offsets are exact")),
+        result(
+            "App::PropertyBool",
+            "RationalRadius",
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Whether the radius itself is rational, so that offsets are exact"
+            ),
+        ),
     )
 
     def has_offsets(self, obj):
@@ -73,18 +107,14 @@ class SquaredRadiusCanal(FeatureBase):
             exact=not fits,
             # As of a canal surface: fits of r^2 tell how far they are off in r.
             deviation=sum(fit.deviation for fit in fits),
-            results={
-                "FitDeviation": deviation_of(fits), "RationalRadius": surface.has_offsets
-            },
+            results={"FitDeviation": deviation_of(fits), "RationalRadius": surface.has_offsets},
         )
 
     def onChanged(self, obj, name):
         super().onChanged(obj, name)
         # While a document is read, other properties may not be there yet.
         if name == "SquaredRadiusLaw" and not obj.Document.Restoring:
-            show_only(
-                obj, INPUTS_OF_LAW[obj.SquaredRadiusLaw], set().union(*INPUTS_OF_LAW.values())
-            )
+            show_only(obj, INPUTS_OF_LAW[obj.SquaredRadiusLaw], set().union(*INPUTS_OF_LAW.values()))
 
 
 def _spine(obj):
@@ -105,8 +135,15 @@ def read_squared_spheres(obj):
     return spine.curve, squared_radius_law(obj, spine).kernel_law()
 
 
-def make_squared_radius_canal(spine, squared_radius, distance=0, *, document=None,
-                              name="CanalSurfaceFromSquaredRadius", **properties):
+def make_squared_radius_canal(
+    spine,
+    squared_radius,
+    distance=0,
+    *,
+    document=None,
+    name="CanalSurfaceFromSquaredRadius",
+    **properties,
+):
     """A canal surface from r^2 in the tree, computed. Areas are mm^2 or strings with a unit.
 
     Parameters
@@ -132,9 +169,7 @@ def make_squared_radius_canal(spine, squared_radius, distance=0, *, document=Non
     the value (TypeError, ValueError, ArithmeticError); nothing is then left in the document.
     """
     link = as_link(spine)
-    values = {
-        "Spine": link, "Distance": distance, **_law_values(squared_radius), **properties
-    }
+    values = {"Spine": link, "Distance": distance, **_law_values(squared_radius), **properties}
     return make_feature(SquaredRadiusCanal, document or link[0].Document, name, values)
 
 
@@ -148,7 +183,8 @@ def _law_values(squared_radius):
     if first == TABLE:
         positions, squares = zip(*second) if second else ((), ())
         return {
-            "SquaredRadiusLaw": first, "Positions": lengths(positions),
+            "SquaredRadiusLaw": first,
+            "Positions": lengths(positions),
             "SquaredRadii": lengths(squares),
         }
     if first == EXPRESSION:

@@ -5,14 +5,7 @@ import FreeCAD
 import numpy as np
 
 from pnsurfaces import kernel
-from pnsurfaces.feature import (
-    QT_TRANSLATE_NOOP,
-    SOLID,
-    Base,
-    FeatureBase,
-    Property,
-    make_feature,
-)
+from pnsurfaces.feature import QT_TRANSLATE_NOOP, SOLID, Base, FeatureBase, Property, make_feature
 from pnsurfaces.mid_surface_skins import GROUP, SKINS
 from pnsurfaces.slopes import estimated_slopes
 
@@ -25,24 +18,47 @@ class TriangulatedSkins(FeatureBase):
     """Proxy of the skins of a mid-surface over a triangulation of the plane z = 0."""
 
     inputs = (
-        Property("App::PropertyVectorList", "Centres", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Centres of the spheres: points of the mid-surface, a graph over"
-                                   " the plane z = 0")),
-        Property("App::PropertyFloatList", "Radii", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Radii of the spheres in mm: half the thickness there")),
-        Property("App::PropertyIntegerList", "Triangles", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "Three points of every triangle, counterclockwise seen from"
-                                   " above, counted from 0")),
-        Property("App::PropertyFloatList", "Slopes", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property",
-                                   "How fast height and radius change along x, then along y, four"
-                                   " numbers for every point; none to have them estimated")),
-        Property("App::PropertyEnumeration", "Skins", GROUP,
-                 QT_TRANSLATE_NOOP("App::Property", "Which of the two skins are made"),
-                 list(SKINS)),
+        Property(
+            "App::PropertyVectorList",
+            "Centres",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "Centres of the spheres: points of the mid-surface, a graph over" " the plane z = 0",
+            ),
+        ),
+        Property(
+            "App::PropertyFloatList",
+            "Radii",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Radii of the spheres in mm: half the thickness there"),
+        ),
+        Property(
+            "App::PropertyIntegerList",
+            "Triangles",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "Three points of every triangle, counterclockwise seen from" " above, counted from 0",
+            ),
+        ),
+        Property(
+            "App::PropertyFloatList",
+            "Slopes",
+            GROUP,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "How fast height and radius change along x, then along y, four"
+                " numbers for every point; none to have them estimated",
+            ),
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "Skins",
+            GROUP,
+            QT_TRANSLATE_NOOP("App::Property", "Which of the two skins are made"),
+            list(SKINS),
+        ),
     )
 
     def base(self, inputs):
@@ -67,9 +83,7 @@ def read_family(inputs):
         )
     triangles = np.array(inputs.Triangles, dtype=np.int64).reshape(-1, 3)
     if triangles.size and not 0 <= triangles.min() <= triangles.max() < len(centres):
-        raise TriangulationError(
-            f"The points of triangles are counted from 0 to {len(centres) - 1}."
-        )
+        raise TriangulationError(f"The points of triangles are counted from 0 to {len(centres) - 1}.")
     slopes = _slopes(inputs, centres, radii, triangles)
     return kernel.pnkernel().sphere_family_powell_sabin(centres, radii, slopes, triangles)
 
@@ -92,8 +106,17 @@ def _slopes(inputs, centres, radii, triangles):
     return slopes
 
 
-def make_triangulated_skins(points, radii, triangles, distance=0, *, slopes=(), document=None,
-                            name="TriangulatedSkins", **properties):
+def make_triangulated_skins(
+    points,
+    radii,
+    triangles,
+    distance=0,
+    *,
+    slopes=(),
+    document=None,
+    name="TriangulatedSkins",
+    **properties,
+):
     """The skins of a mid-surface over a triangulation in the tree, computed. Lengths are mm.
 
     Parameters
