@@ -39,8 +39,8 @@ resource.setrlimit(resource.RLIMIT_AS, unlimited)
 print("the same" if faces(3) == before else "another")
 """
 
-# How GMP and the C library end a process for which they have no memory. They say why, unless there is no
-# memory for that either.
+# How GMP and the C library end a process for which they have no memory. They say why, unless there is
+# no memory for that either.
 ENDED = (-signal.SIGABRT, 127)
 
 
@@ -56,7 +56,7 @@ def trial(megabytes, work):
 
 @pytest.mark.parametrize("megabytes", [1, 20, 40])
 def test_memory_that_runs_out_is_told(megabytes):
-    """Or the process ends; nothing wrong is ever returned. RuntimeError: no thread could be started."""
+    """Or the process ends; nothing wrong is returned. RuntimeError: no thread could be started."""
     run = trial(megabytes, "faces(1000)")
     if run.returncode in ENDED:
         return
