@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Forms of panels, loaded where earlier ones have been."""
+"""Forms of panels, loaded where earlier ones have been.
+
+This is the last of the tests: what it leaves in PySide must not meet the widgets of others.
+"""
 
 from support import GuiTest
 
