@@ -7,6 +7,7 @@
 
 #include "circle_spine.hpp"
 #include "error_code.hpp"
+#include "pn/algebra/precision.hpp"
 #include "pn/bezier/evaluation.hpp"
 #include "pn/shapes/canal_surface.hpp"
 #include "pn/shapes/ruled_surface.hpp"
@@ -166,7 +167,7 @@ TEST_CASE("The certificate describes the faces", "[pn_surface]") {
     CHECK(certificate.exact);
     CHECK(certificate.deviation > 0);
     CHECK(certificate.deviation < 1e-13);
-    CHECK(certificate.precision_bits >= 128);
+    CHECK(certificate.precision_bits >= kLeastPrecision);
   }
   const Curve bent =
       Curve::bspline({1, {0, 1, 2}, {2, 1, 2}, {{0, 0, 0}, {1, 0, 0}, {2, 1e-9, 0}}, {}});
@@ -193,11 +194,11 @@ TEST_CASE("Only trimmed faces have edges that are measured", "[pn_surface]") {
 
 TEST_CASE("A precision that does not suffice is raised", "[pn_surface]") {
   const Curve nearly_flat =
-      Curve::bezier({{0, 0, 0}, {1, 0.5, 1e-24}, {2, 0, -1e-24}, {3, 1, 1e-24}});
+      Curve::bezier({{0, 0, 0}, {1, 0.5, 1e-17}, {2, 0, -1e-17}, {3, 1, 1e-17}});
   const Certificate certificate = PNSurface(canal_surface(nearly_flat, Law::constant(0.2)))
                                       .offset(-0.2)
                                       .certificate(Lines::kEven);
-  CHECK(certificate.precision_bits > 128);
+  CHECK(certificate.precision_bits > kLeastPrecision);
   CHECK(certificate.deviation < 1e-13);
 }
 

@@ -249,7 +249,7 @@ class FaceMap {
       return (node.point - target).cwiseQuotient(box).squaredNorm();
     };
     const auto is_nearer = [&](const Node& a, const Node& b) { return distance(a) < distance(b); };
-    constexpr std::ptrdiff_t kStarts = 6;
+    constexpr std::ptrdiff_t kStarts = 40;
     std::partial_sort(nearest.begin(), nearest.begin() + kStarts, nearest.end(), is_nearer);
     for (std::ptrdiff_t i = 0; i < kStarts; ++i) {
       const Place place = approached(nearest[static_cast<std::size_t>(i)].place, target, box);
@@ -259,7 +259,7 @@ class FaceMap {
   }
 
  private:
-  static constexpr int kGrid = 16;
+  static constexpr int kGrid = 48;
   /// Parts along, denser at both ends, where lines may be far from even.
   static std::vector<double> grid() {
     std::vector<double> parts;

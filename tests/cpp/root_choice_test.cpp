@@ -42,10 +42,14 @@ TEST_CASE("A choice stands for half of the roots", "[root_choice]") {
   RootChoice choice(2, 0);
   choice[twice] = 1;
   const auto half = half_roots(local.roots, choice);
-  CHECK(half.complex.size() == 3);
-  int upper = 0;
-  for (const ComplexBall& root : half.complex) upper += root.imag().is_positive() ? 1 : 0;
-  CHECK(upper == 1);
+  int copies = 0, conjugates = 0;
+  for (const auto& pair : half.pairs) {
+    CHECK(pair.root.imag().is_positive());
+    copies += pair.copies;
+    conjugates += pair.conjugates;
+  }
+  CHECK(copies == 1);
+  CHECK(conjugates == 2);
   CHECK(half.real.empty());
   CHECK(half.infinite == 0);
 }

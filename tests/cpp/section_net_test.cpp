@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "enclosures.hpp"
+#include "pn/algebra/precision.hpp"
 #include "pn/algebra/roots.hpp"
 #include "pn/bezier/chain_net.hpp"
 #include "pn/bezier/evaluation.hpp"
@@ -112,11 +113,11 @@ TEST_CASE("Normals are unit vectors on the sphere, in doubles", "[section_net]")
 }
 
 TEST_CASE("Too little precision is undecided, not wrong", "[section_net]") {
-  // Coordinates of 1e-24 mm beside some of 1 mm ask for more than 128 bits.
-  constexpr double kTiny = 1e-24;
+  // Coordinates of 1e-17 mm beside some of 1 mm ask for more bits.
+  constexpr double kTiny = 1e-17;
   const EnvelopeChain chain =
       canal_surface(Curve::bezier({{0, 0, 0}, {1, 0.5, kTiny}, {2, 0, -kTiny}, {3, 1, kTiny}}),
                     Law::constant(0.2));
-  CHECK_THROWS_AS(ChainNet(chain, Lines::kEven, 128).section(-0.2), Undecided);
-  CHECK_NOTHROW(ChainNet(chain, Lines::kEven, 256).section(-0.2));
+  CHECK_THROWS_AS(ChainNet(chain, Lines::kEven, kLeastPrecision).section(-0.2), Undecided);
+  CHECK_NOTHROW(ChainNet(chain, Lines::kEven, 2 * kLeastPrecision).section(-0.2));
 }

@@ -45,14 +45,13 @@ pn::HalfRoots<ComplexBall> half_roots(const CircleFamily& circles, unsigned choi
   const pn::RootSet set = isolate_roots(d, precision);
   pn::HalfRoots<ComplexBall> half;
   for (const auto& pair : set.pairs) {
-    for (int copy = 0; copy < pair.multiplicity; ++copy, choice /= 2) {
-      half.complex.push_back(choice % 2 == 1 ? pair.value : conj(pair.value));
-    }
+    int copies = 0;
+    for (int copy = 0; copy < pair.multiplicity; ++copy, choice /= 2) copies += choice % 2;
+    half.pairs.push_back({pair.value, copies, pair.multiplicity - copies});
   }
   for (const auto& root : set.real) {
     REQUIRE(root.multiplicity % 2 == 0);
-    half.real.insert(half.real.end(), static_cast<std::size_t>(root.multiplicity / 2),
-                     ComplexBall(root.value));
+    half.real.push_back({ComplexBall(root.value), root.multiplicity / 2});
   }
   half.infinite = circles.degree() - d.degree() / 2;
   return half;
@@ -177,6 +176,26 @@ TEST_CASE("A real double root and one at infinity", "[spinor_factorization]") {
                      1) <= 2);
 }
 
+TEST_CASE("Every step costs few digits", "[spinor_factorization]") {
+  constexpr long kBits = pn::kLeastPrecision, kBitsPerStep = 5, kBitsBeside = 15;
+  GenericFamilies generic;
+  for (int h = 1; h <= 8; ++h) {
+    INFO("h = " << h);
+    const CircleFamily family = generic.next(h);
+    const auto a = spinor_factorization(hermitian(family, kBits), half_roots(family, 0, kBits));
+    double size = 0, radius = 0;
+    for (const auto& row : a.entry) {
+      for (const ComplexForm& form : row) {
+        for (const ComplexBall& z : form.coefficients()) {
+          size = std::max(size, std::abs(z.midpoint()));
+          radius = std::max({radius, z.real().radius(), z.imag().radius()});
+        }
+      }
+    }
+    CHECK(radius <= std::ldexp(size, kBitsBeside + kBitsPerStep * h - kBits));
+  }
+}
+
 TEST_CASE("In doubles the factorization is that in balls up to rounding",
           "[spinor_factorization]") {
   GenericFamilies generic;
@@ -191,7 +210,9 @@ TEST_CASE("In doubles the factorization is that in balls up to rounding",
     const auto matrix = hermitian(family, 128);
     const auto half = half_roots(family, 5, 128);
     pn::HalfRoots<std::complex<double>> half_estimate;
-    for (const ComplexBall& z : half.complex) half_estimate.complex.push_back(z.midpoint());
+    for (const auto& [root, copies, conjugates] : half.pairs) {
+      half_estimate.pairs.push_back({root.midpoint(), copies, conjugates});
+    }
     const auto in_doubles = pn::spinor_factorization<std::complex<double>>(
         {estimate(matrix.h00), estimate(matrix.h01), estimate(matrix.h11)}, half_estimate);
     REQUIRE(in_doubles.degree == in_balls.degree);

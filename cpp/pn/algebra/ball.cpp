@@ -1,141 +1,404 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/algebra/ball.hpp"
 
-#include <array>
+#include <acb.h>
+
 #include <cmath>
 #include <limits>
 
 namespace pn {
+namespace {
+
+constexpr long kWordPrecision = DoubleWordBall::kPrecision;
+
+/// One of Arb's floating-point numbers.
+class ArbFloat {
+ public:
+  ArbFloat() { arf_init(value_); }
+  ArbFloat(const ArbFloat&) = delete;
+  ArbFloat& operator=(const ArbFloat&) = delete;
+  ~ArbFloat() { arf_clear(value_); }
+  arf_struct* get() { return value_; }
+
+ private:
+  arf_t value_;
+};
+
+std::optional<DoubleWordBall> in_double_words(const arb_struct* x) {
+  const double high = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+  if (!double_word::is_in_range(high) || !arb_is_finite(x)) return std::nullopt;
+  ArbFloat rest, part;
+  arf_set_d(part.get(), high);
+  arf_sub(rest.get(), arb_midref(x), part.get(), ARF_PREC_EXACT, ARF_RND_DOWN);
+  const double low = arf_get_d(rest.get(), ARF_RND_NEAR);
+  arf_set_d(part.get(), low);
+  arf_sub(rest.get(), rest.get(), part.get(), ARF_PREC_EXACT, ARF_RND_DOWN);
+  arf_abs(rest.get(), rest.get());
+  ArbFloat radius;
+  arf_set_mag(radius.get(), arb_radref(x));
+  arf_add(radius.get(), radius.get(), rest.get(), ARF_PREC_EXACT, ARF_RND_UP);
+  return double_word::in_range({high, low, arf_get_d(radius.get(), ARF_RND_UP)});
+}
+
+ArbBall in_arb(const DoubleWordBall& x) {
+  ArbBall result;
+  arf_set_d(arb_midref(result.get()), x.high);
+  if (x.low != 0) {
+    ArbFloat low;
+    arf_set_d(low.get(), x.low);
+    arf_add(arb_midref(result.get()), arb_midref(result.get()), low.get(), ARF_PREC_EXACT,
+            ARF_RND_DOWN);
+  }
+  mag_set_d(arb_radref(result.get()), x.radius);
+  return result;
+}
+
+/// The double of an integer of at most 53 bits.
+std::optional<double> short_integer(const fmpz_t x) {
+  constexpr slong kMantissaBits = 53;
+  if (COEFF_IS_MPZ(*x) || fmpz_bits(x) > kMantissaBits) return std::nullopt;
+  return static_cast<double>(*x);
+}
+
+std::optional<DoubleWordBall> in_double_words(const Rational& x) {
+  const auto numerator = short_integer(fmpq_numref(x.flint()));
+  const auto denominator = short_integer(fmpq_denref(x.flint()));
+  if (!numerator || !denominator) return std::nullopt;
+  return quotient({*numerator, 0, 0}, {*denominator, 0, 0});
+}
+
+/// Half a unit in the last place of a double, x not zero, is 2^ to this power.
+int half_unit_bits(double x) {
+  constexpr int kMantissaBits = 53;
+  return std::ilogb(x) - kMantissaBits;
+}
+
+double half_unit(double x) { return x == 0 ? 0 : std::ldexp(1.0, half_unit_bits(x)); }
+
+/// The double at or beyond a bound that one of Arb's functions gives for a ball.
+template <class Bound>
+double rounded_bound(Bound bound_of, const arb_struct* x, long precision, arf_rnd_t direction) {
+  ArbFloat bound;
+  bound_of(bound.get(), x, precision);
+  return arf_get_d(bound.get(), direction);
+}
+
+}  // namespace
+
+RealBall::RealBall(ArbBall x, long precision) : value_(std::move(x)), precision_(precision) {
+  shorten();
+}
+
+RealBall::RealBall(const Rational& x, long precision) : precision_(precision) {
+  const auto words = precision <= kWordPrecision ? in_double_words(x) : std::nullopt;
+  if (words) {
+    value_ = *words;
+  } else {
+    arb_set_fmpq(in_place(), x.flint(), precision);
+    shorten();
+  }
+}
+
+RealBall::RealBall(long exact) {
+  arb_set_si(in_place(), exact);
+  shorten();
+}
+
+RealBall::RealBall(double exact) {
+  if (double_word::is_in_range(exact)) {
+    value_ = DoubleWordBall{exact, 0, 0};
+  } else {
+    arb_set_d(in_place(), exact);
+  }
+}
 
 RealBall RealBall::between(double low, double high, long precision) {
-  RealBall result;
-  result.precision_ = precision;
-  arf_t a, b;
-  arf_init_set_ui(a, 0);
-  arf_init_set_ui(b, 0);
-  arf_set_d(a, low);
-  arf_set_d(b, high);
-  arb_set_interval_arf(result.value_, a, b, precision);
-  arf_clear(a);
-  arf_clear(b);
-  return result;
+  ArbBall ball;
+  ArbFloat a, b;
+  arf_set_d(a.get(), low);
+  arf_set_d(b.get(), high);
+  arb_set_interval_arf(ball.get(), a.get(), b.get(), precision);
+  return RealBall(std::move(ball), precision);
+}
+
+ArbBall RealBall::arb() const { return words() ? in_arb(*words()) : std::get<ArbBall>(value_); }
+
+arb_struct* RealBall::in_place() {
+  if (const DoubleWordBall* short_ball = words()) value_ = in_arb(*short_ball);
+  return std::get_if<ArbBall>(&value_)->get();
+}
+
+void RealBall::shorten() {
+  if (words() || precision_ > kWordPrecision) return;
+  if (const auto short_ball = in_double_words(long_ball())) value_ = *short_ball;
+}
+
+namespace {
+
+/// A ball as Arb has it, lent where it is one of Arb's already.
+class ArbOperand {
+ public:
+  explicit ArbOperand(const RealBall& x)
+      : own_(x.words() ? in_arb(*x.words()) : ArbBall()),
+        ball_(x.words() ? own_.get() : x.long_ball()) {}
+  ArbOperand(const ArbOperand&) = delete;
+  ArbOperand& operator=(const ArbOperand&) = delete;
+  const arb_struct* get() const { return ball_; }
+
+ private:
+  ArbBall own_;
+  const arb_struct* ball_;
+};
+
+}  // namespace
+
+RealBall& RealBall::set_in_arb(const RealBall& a, const RealBall& b, OnArb& function) {
+  const long precision = std::max(a.precision_, b.precision_);
+  const ArbOperand x(a), y(b);
+  arb_struct* result = words() ? value_.emplace<ArbBall>().get() : in_place();
+  function(result, x.get(), y.get(), precision);
+  precision_ = precision;
+  shorten();
+  return *this;
 }
 
 RealBall RealBall::at_precision(long bits) const {
   RealBall result = *this;
   result.precision_ = bits;
+  if (bits > kWordPrecision) result.in_place();
   return result;
 }
 
-namespace {
+PN_WITH_FUSED_MULTIPLY_ADD
+RealBall& RealBall::operator*=(const RealBall& b) { return set<product>(*this, b, arb_mul); }
 
-/// The double at or beyond a bound that one of Arb's functions gives for a ball.
-template <class Bound>
-double rounded_bound(Bound bound_of, const RealBall& x, arf_rnd_t direction) {
-  arf_t bound;
-  arf_init(bound);
-  bound_of(bound, x.arb(), x.precision());
-  const double result = arf_get_d(bound, direction);
-  arf_clear(bound);
+PN_WITH_FUSED_MULTIPLY_ADD
+RealBall& RealBall::operator/=(const RealBall& b) { return set<quotient>(*this, b, arb_div); }
+
+PN_WITH_FUSED_MULTIPLY_ADD
+RealBall operator*(const RealBall& a, const RealBall& b) {
+  RealBall result;
+  result.set<product>(a, b, arb_mul);
   return result;
 }
 
-}  // namespace
+PN_WITH_FUSED_MULTIPLY_ADD
+RealBall operator/(const RealBall& a, const RealBall& b) {
+  RealBall result;
+  result.set<quotient>(a, b, arb_div);
+  return result;
+}
 
-double RealBall::lower() const { return rounded_bound(arb_get_lbound_arf, *this, ARF_RND_FLOOR); }
+PN_WITH_FUSED_MULTIPLY_ADD
+RealBall& RealBall::add_product(const RealBall& a, const RealBall& b) {
+  if (words() && a.words() && b.words()) {
+    DoubleWordSum sum(*words());
+    sum.add_product(*a.words(), *b.words());
+    if (const auto result = sum.result()) {
+      precision_ = std::max({precision_, a.precision_, b.precision_});
+      value_ = *result;
+      return *this;
+    }
+  }
+  return add_product_in_arb(a, b);
+}
 
-double RealBall::upper() const { return rounded_bound(arb_get_ubound_arf, *this, ARF_RND_CEIL); }
+RealBall& RealBall::add_product_in_arb(const RealBall& a, const RealBall& b) {
+  const ArbOperand x(a), y(b);
+  precision_ = std::max({precision_, a.precision_, b.precision_});
+  arb_addmul(in_place(), x.get(), y.get(), precision_);
+  shorten();
+  return *this;
+}
+
+RealBall RealBall::operator-() const {
+  if (words()) return RealBall(-*words(), precision_);
+  RealBall result = *this;
+  arb_neg(result.in_place(), long_ball());
+  return result;
+}
+
+bool RealBall::is_positive() const {
+  return words() ? words()->is_positive() : arb_is_positive(long_ball()) != 0;
+}
+
+bool RealBall::is_negative() const {
+  return words() ? words()->is_negative() : arb_is_negative(long_ball()) != 0;
+}
+
+bool RealBall::contains_zero() const {
+  return words() ? !words()->is_positive() && !words()->is_negative()
+                 : arb_contains_zero(long_ball()) != 0;
+}
+
+bool RealBall::contains(const Rational& x) const {
+  return arb_contains_fmpq(ArbOperand(*this).get(), x.flint()) != 0;
+}
+
+bool RealBall::overlaps(const RealBall& other) const {
+  return arb_overlaps(ArbOperand(*this).get(), ArbOperand(other).get()) != 0;
+}
+
+double RealBall::midpoint() const {
+  return words() ? words()->high : arf_get_d(arb_midref(long_ball()), ARF_RND_NEAR);
+}
+
+Rational RealBall::exact_midpoint() const {
+  Rational result;
+  arf_get_fmpq(result.flint(), arb_midref(ArbOperand(*this).get()));
+  return result;
+}
+
+RealBall RealBall::centre() const {
+  if (words()) return RealBall(DoubleWordBall{words()->high, words()->low, 0}, precision_);
+  RealBall result = *this;
+  mag_zero(arb_radref(result.in_place()));
+  return result;
+}
+
+double RealBall::radius() const {
+  return words() ? words()->radius : mag_get_d(arb_radref(long_ball()));
+}
+
+double RealBall::lower() const {
+  if (words()) return words()->lower();
+  return rounded_bound(arb_get_lbound_arf, long_ball(), precision_, ARF_RND_FLOOR);
+}
+
+double RealBall::upper() const {
+  if (words()) return words()->upper();
+  return rounded_bound(arb_get_ubound_arf, long_ball(), precision_, ARF_RND_CEIL);
+}
 
 double RealBall::magnitude_upper() const {
-  return rounded_bound(arb_get_abs_ubound_arf, *this, ARF_RND_CEIL);
+  if (words()) return std::max(-words()->lower(), words()->upper());
+  return rounded_bound(arb_get_abs_ubound_arf, long_ball(), precision_, ARF_RND_CEIL);
 }
 
 std::optional<double> RealBall::rounded() const {
+  // At most half of half a unit in the last place: the common case.
+  constexpr double kCertainlyNarrow = 0x1p-54;
+  if (words() && words()->radius <= std::abs(words()->high) * kCertainlyNarrow) {
+    return words()->high;
+  }
   const double nearest = midpoint();
   if (!std::isfinite(nearest)) return std::nullopt;
-  if (mag_is_zero(arb_radref(value_))) return nearest;
+  if (radius() == 0) return nearest;
   if (nearest == 0) return std::nullopt;
   // The midpoint is at most half a unit in the last place away, so the radius may be the other
   // half.
-  constexpr int kMantissaBits = 53;
-  const int exponent = std::ilogb(nearest) + 1;
-  const bool narrow = mag_cmp_2exp_si(arb_radref(value_), exponent - kMantissaBits - 1) <= 0;
+  const bool narrow = words()
+                          ? words()->radius <= half_unit(nearest)
+                          : mag_cmp_2exp_si(arb_radref(long_ball()), half_unit_bits(nearest)) <= 0;
   return narrow ? std::optional<double>(nearest) : std::nullopt;
 }
 
 double RealBall::rounding_error() const {
-  constexpr int kMantissaBits = 53;
   const double nearest = midpoint(), least = std::numeric_limits<double>::denorm_min();
-  const double half_unit = nearest == 0 ? 0 : std::ldexp(1.0, std::ilogb(nearest) - kMantissaBits);
+  const double to_midpoint = words() ? std::abs(words()->low) : half_unit(nearest);
   // The radius has fewer bits than a double, which can only be too small to hold it. The two units
   // more are for that and for the sum.
-  const double error = half_unit + mag_get_d(arb_radref(value_));
-  return std::nextafter(error + least, std::numeric_limits<double>::infinity());
+  return std::nextafter(to_midpoint + radius() + least, std::numeric_limits<double>::infinity());
 }
 
+PN_WITH_FUSED_MULTIPLY_ADD
 RealBall sqrt(const RealBall& x) {
-  RealBall result = x;
-  arb_sqrtpos(result.arb(), x.arb(), x.precision());
-  return result;
+  if (x.words()) {
+    if (const auto words = root(*x.words())) return RealBall(*words, x.precision());
+  }
+  ArbBall result;
+  arb_sqrtpos(result.get(), ArbOperand(x).get(), x.precision());
+  return RealBall(std::move(result), x.precision());
 }
 
-RealBall abs(const RealBall& x) {
-  RealBall result = x;
-  arb_abs(result.arb(), x.arb());
-  return result;
-}
+RealBall abs(const RealBall& x) { return x.midpoint() < 0 ? -x : x; }
 
 RealBall scaled(const RealBall& x, long exponent) {
-  RealBall result = x;
-  arb_mul_2exp_si(result.arb(), x.arb(), exponent);
-  return result;
+  // Powers of two within the range of double words.
+  constexpr long kLargestExponent = 400;
+  if (x.words() && std::abs(exponent) <= kLargestExponent) {
+    return x * RealBall(std::ldexp(1.0, static_cast<int>(exponent)));
+  }
+  ArbBall result;
+  arb_mul_2exp_si(result.get(), ArbOperand(x).get(), exponent);
+  return RealBall(std::move(result), x.precision());
 }
 
 std::vector<RealBall> normalized(std::vector<RealBall> numbers) {
-  arf_srcptr largest = nullptr;
+  ArbBall largest;
   for (const RealBall& x : numbers) {
-    arf_srcptr midpoint = arb_midref(x.arb());
-    if (!largest || arf_cmpabs(midpoint, largest) > 0) largest = midpoint;
+    const ArbBall ball = x.arb();
+    if (arf_cmpabs(arb_midref(ball.get()), arb_midref(largest.get())) > 0) largest = ball;
   }
-  if (!largest || arf_is_special(largest)) return numbers;
-  const long exponent = fmpz_get_si(ARF_EXPREF(largest));
+  if (arf_is_special(arb_midref(largest.get()))) return numbers;
+  const long exponent = fmpz_get_si(ARF_EXPREF(arb_midref(largest.get())));
   for (RealBall& x : numbers) x = scaled(x, -exponent);
   return numbers;
 }
 
+PN_WITH_FUSED_MULTIPLY_ADD
+ComplexBall& ComplexBall::add_product(const ComplexBall& a, const ComplexBall& b) {
+  const DoubleWordBall *x = a.real_.words(), *y = a.imag_.words(), *u = b.real_.words(),
+                       *v = b.imag_.words();
+  if (real_.words() && imag_.words() && x && y && u && v) {
+    DoubleWordSum real(*real_.words()), imag(*imag_.words());
+    real.add_product(*x, *u);
+    real.add_product(-*y, *v);
+    imag.add_product(*x, *v);
+    imag.add_product(*y, *u);
+    const auto re = real.result(), im = imag.result();
+    if (re && im) {
+      const long bits = std::max({precision(), a.precision(), b.precision()});
+      real_ = RealBall(*re, bits);
+      imag_ = RealBall(*im, bits);
+      return *this;
+    }
+  }
+  return add_product_in_parts(a, b);
+}
+
+ComplexBall& ComplexBall::add_product_in_parts(const ComplexBall& a, const ComplexBall& b) {
+  const RealBall imag = RealBall(imag_).add_product(a.real_, b.imag_).add_product(a.imag_, b.real_);
+  real_ = RealBall(real_).add_product(a.real_, b.real_).add_product(-a.imag_, b.imag_);
+  imag_ = imag;
+  return *this;
+}
+
 ComplexBall sqrt(const ComplexBall& z) {
-  ComplexBall result = z;
-  acb_sqrt(result.acb(), z.acb(), z.precision());
-  return result;
-}
-
-RealBall ComplexBall::real() const {
-  RealBall result;
-  result.precision_ = precision_;
-  arb_set(result.value_, acb_realref(value_));
-  return result;
-}
-
-RealBall ComplexBall::imag() const {
-  RealBall result;
-  result.precision_ = precision_;
-  arb_set(result.value_, acb_imagref(value_));
-  return result;
+  acb_t root;
+  acb_init(root);
+  acb_set_arb_arb(root, z.real().arb().get(), z.imag().arb().get());
+  acb_sqrt(root, root, z.precision());
+  ArbBall real, imaginary;
+  arb_swap(real.get(), acb_realref(root));
+  arb_swap(imaginary.get(), acb_imagref(root));
+  acb_clear(root);
+  return {RealBall(std::move(real), z.precision()), RealBall(std::move(imaginary), z.precision())};
 }
 
 namespace {
 
-const arb_struct& number(const RealBall& x) { return *x.arb(); }
-const acb_struct& number(const ComplexBall& x) { return *x.acb(); }
+/// Balls side by side, as Arb takes vectors: lent where they are Arb's already.
+class ArbVector {
+ public:
+  explicit ArbVector(const std::vector<RealBall>& balls) {
+    own_.reserve(balls.size());
+    numbers_.reserve(balls.size());
+    for (const RealBall& ball : balls) {
+      if (ball.words()) own_.push_back(in_arb(*ball.words()));
+      numbers_.push_back(ball.words() ? *own_.back().get() : *ball.long_ball());
+    }
+  }
+  ArbVector(const ArbVector&) = delete;
+  ArbVector& operator=(const ArbVector&) = delete;
 
-/// The numbers of balls side by side, as Arb takes vectors; they remain those of the balls.
-template <class Ball>
-auto lent(const std::vector<Ball>& balls) {
-  std::vector<std::decay_t<decltype(number(balls[0]))>> numbers;
-  numbers.reserve(balls.size());
-  for (const Ball& ball : balls) numbers.push_back(number(ball));
-  return numbers;
-}
+  arb_srcptr operator[](std::size_t i) const { return &numbers_[i]; }
+  slong size() const { return static_cast<slong>(numbers_.size()); }
+
+ private:
+  std::vector<ArbBall> own_;
+  std::vector<arb_struct> numbers_;
+};
 
 template <class Ball>
 long precision_of(const std::vector<Ball>& balls) {
@@ -144,56 +407,97 @@ long precision_of(const std::vector<Ball>& balls) {
   return precision;
 }
 
-/// sum += x[0] y[0] + x[1] y[-1] + ...
-void add_backwards(RealBall& sum, arb_srcptr x, arb_srcptr y, slong count, long precision) {
-  arb_dot(sum.arb(), sum.arb(), 0, x, 1, y, -1, count, precision);
-}
-void add_backwards(ComplexBall& sum, acb_srcptr x, acb_srcptr y, slong count, long precision) {
-  acb_dot(sum.acb(), sum.acb(), 0, x, 1, y, -1, count, precision);
-}
+/// The coefficients a_i b_(k - i), first <= i < end, of t^k in a product of polynomials.
+struct Terms {
+  std::size_t first, end;
+};
 
 template <class Ball>
-void add_product_of(std::vector<Ball>& sum, const std::vector<Ball>& a,
-                    const std::vector<Ball>& b) {
-  const long precision = std::max({precision_of(sum), precision_of(a), precision_of(b)});
-  const auto x = lent(a), y = lent(b);
-  const std::size_t n = x.size() - 1, m = y.size() - 1;
-  for (std::size_t k = 0; k < std::min(sum.size(), n + m + 1); ++k) {
-    const std::size_t first = k > m ? k - m : 0, last = std::min(k, n);
-    sum[k].set_precision(precision);
-    add_backwards(sum[k], &x[first], &y[k - first], static_cast<slong>(last - first + 1),
-                  precision);
+Terms terms_of(std::size_t k, const std::vector<Ball>& a, const std::vector<Ball>& b) {
+  return {k < b.size() ? 0 : k - b.size() + 1, std::min(k + 1, a.size())};
+}
+
+/// How many coefficients of a product of polynomials are wanted and not zero.
+template <class Ball>
+std::size_t count_of(const std::vector<Ball>& sum, const std::vector<Ball>& a,
+                     const std::vector<Ball>& b) {
+  return std::min(sum.size(), a.size() + b.size() - 1);
+}
+
+bool are_double_words(const std::vector<RealBall>& balls) {
+  return std::all_of(balls.begin(), balls.end(), [](const RealBall& x) { return x.words(); });
+}
+
+PN_WITH_FUSED_MULTIPLY_ADD
+void add_in_double_words(std::vector<RealBall>& sum, const std::vector<RealBall>& a,
+                         const std::vector<RealBall>& b, long precision) {
+  for (std::size_t k = 0; k < count_of(sum, a, b); ++k) {
+    const auto [first, end] = terms_of(k, a, b);
+    DoubleWordSum words(*sum[k].words());
+    for (std::size_t i = first; i < end; ++i) words.add_product(*a[i].words(), *b[k - i].words());
+    if (const auto result = words.result()) {
+      sum[k] = RealBall(*result, precision);
+    } else {
+      for (std::size_t i = first; i < end; ++i) sum[k].add_product(a[i], b[k - i]);
+    }
+  }
+}
+
+RealBall dot_in_arb(const std::vector<RealBall>& a, const std::vector<RealBall>& b,
+                    long precision) {
+  const ArbVector x(a), y(b);
+  ArbBall sum;
+  arb_dot(sum.get(), nullptr, 0, x[0], 1, y[0], 1, x.size(), precision);
+  return RealBall(std::move(sum), precision);
+}
+
+void add_in_arb(std::vector<RealBall>& sum, const std::vector<RealBall>& a,
+                const std::vector<RealBall>& b, long precision) {
+  const ArbVector x(a), y(b);
+  for (std::size_t k = 0; k < count_of(sum, a, b); ++k) {
+    const auto [first, end] = terms_of(k, a, b);
+    ArbBall result = sum[k].arb();
+    arb_dot(result.get(), result.get(), 0, x[first], 1, y[k - first], -1,
+            static_cast<slong>(end - first), precision);
+    sum[k] = RealBall(std::move(result), precision);
   }
 }
 
 }  // namespace
 
+PN_WITH_FUSED_MULTIPLY_ADD
 RealBall dot(const std::vector<RealBall>& a, const std::vector<RealBall>& b) {
-  // Few numbers at once, so that they need no memory of their own.
-  constexpr std::size_t kAtOnce = 8;
-  std::array<arb_struct, kAtOnce> x, y;
-  const long precision = std::max(precision_of(a), precision_of(b));
-  RealBall sum = RealBall().at_precision(precision);
-  for (std::size_t first = 0; first < a.size(); first += kAtOnce) {
-    const std::size_t count = std::min(kAtOnce, a.size() - first);
-    for (std::size_t i = 0; i < count; ++i) {
-      x[i] = number(a[first + i]);
-      y[i] = number(b[first + i]);
-    }
-    arb_dot(sum.arb(), sum.arb(), 0, x.data(), 1, y.data(), 1, static_cast<slong>(count),
-            precision);
+  DoubleWordSum sum({});
+  long precision = RealBall::kFloor;
+  bool short_terms = true;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const DoubleWordBall *x = a[i].words(), *y = b[i].words();
+    precision = std::max({precision, a[i].precision(), b[i].precision()});
+    short_terms = short_terms && x && y;
+    if (short_terms) sum.add_product(*x, *y);
   }
-  return sum;
+  if (short_terms) {
+    if (const auto result = sum.result()) return RealBall(*result, precision);
+  }
+  return dot_in_arb(a, b, precision);
 }
 
 void add_product(std::vector<RealBall>& sum, const std::vector<RealBall>& a,
                  const std::vector<RealBall>& b) {
-  add_product_of(sum, a, b);
+  const long precision = std::max({precision_of(sum), precision_of(a), precision_of(b)});
+  if (are_double_words(sum) && are_double_words(a) && are_double_words(b)) {
+    add_in_double_words(sum, a, b, precision);
+  } else {
+    add_in_arb(sum, a, b, precision);
+  }
 }
 
 void add_product(std::vector<ComplexBall>& sum, const std::vector<ComplexBall>& a,
                  const std::vector<ComplexBall>& b) {
-  add_product_of(sum, a, b);
+  for (std::size_t k = 0; k < count_of(sum, a, b); ++k) {
+    const auto [first, end] = terms_of(k, a, b);
+    for (std::size_t i = first; i < end; ++i) sum[k].add_product(a[i], b[k - i]);
+  }
 }
 
 }  // namespace pn

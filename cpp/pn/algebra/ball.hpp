@@ -6,129 +6,100 @@
 // choice of numbers in its operands. A ball carries the precision it is computed at, in bits; an
 // operation works at the larger precision of its operands. Integers, doubles and default values are
 // exact and carry the least precision.
+//
+// Balls of few bits are double words, those of more bits and beyond their range Arb's.
 #pragma once
 
-#include <acb.h>
 #include <arb.h>
 
 #include <algorithm>
 #include <complex>
 #include <optional>
+#include <utility>
+#include <variant>
 #include <vector>
 
+#include "pn/algebra/double_word_ball.hpp"
 #include "pn/algebra/rational.hpp"
 
 namespace pn {
+
+/// A ball of any length and size: the owner of one of Arb's numbers.
+class ArbBall {
+ public:
+  ArbBall() { arb_init(value_); }
+  ArbBall(const ArbBall& other) : ArbBall() { arb_set(value_, other.value_); }
+  ArbBall(ArbBall&& other) noexcept : ArbBall() { arb_swap(value_, other.value_); }
+  ArbBall& operator=(ArbBall other) noexcept {
+    arb_swap(value_, other.value_);
+    return *this;
+  }
+  ~ArbBall() { arb_clear(value_); }
+
+  arb_struct* get() { return value_; }
+  const arb_struct* get() const { return value_; }
+
+ private:
+  arb_t value_;
+};
 
 class RealBall {
  public:
   /// An exact number needs no precision of its own; the floor keeps operations among them sensible.
   static constexpr long kFloor = 64;
 
-  RealBall() { arb_init(value_); }
-  RealBall(long exact) : RealBall() { arb_set_si(value_, exact); }
-  RealBall(double exact) : RealBall() { arb_set_d(value_, exact); }
-  RealBall(int exact) : RealBall(static_cast<long>(exact)) {}
-  RealBall(const Rational& x, long precision) : precision_(precision) {
-    arb_init(value_);
-    arb_set_fmpq(value_, x.flint(), precision);
-  }
+  RealBall() = default;
+  RealBall(long exact);
+  RealBall(double exact);
+  RealBall(int exact) : value_(DoubleWordBall{static_cast<double>(exact), 0, 0}) {}
+  RealBall(const Rational& x, long precision);
+  RealBall(ArbBall x, long precision);
+  RealBall(const DoubleWordBall& words, long precision) : value_(words), precision_(precision) {}
   /// The ball of all numbers between two doubles, low <= high.
   static RealBall between(double low, double high, long precision);
-
-  RealBall(const RealBall& other) : precision_(other.precision_) {
-    arb_init(value_);
-    arb_set(value_, other.value_);
-  }
-  RealBall(RealBall&& other) noexcept : precision_(other.precision_) {
-    arb_init(value_);
-    arb_swap(value_, other.value_);
-  }
-  RealBall& operator=(const RealBall& other) {
-    arb_set(value_, other.value_);
-    precision_ = other.precision_;
-    return *this;
-  }
-  RealBall& operator=(RealBall&& other) noexcept {
-    arb_swap(value_, other.value_);
-    precision_ = other.precision_;
-    return *this;
-  }
-  ~RealBall() { arb_clear(value_); }
 
   long precision() const { return precision_; }
   /// The same ball, to be computed with at this precision.
   RealBall at_precision(long bits) const;
 
-  RealBall& operator+=(const RealBall& b) {
-    precision_ = std::max(precision_, b.precision_);
-    arb_add(value_, value_, b.value_, precision_);
-    return *this;
-  }
-  RealBall& operator-=(const RealBall& b) {
-    precision_ = std::max(precision_, b.precision_);
-    arb_sub(value_, value_, b.value_, precision_);
-    return *this;
-  }
-  RealBall& operator*=(const RealBall& b) {
-    precision_ = std::max(precision_, b.precision_);
-    arb_mul(value_, value_, b.value_, precision_);
-    return *this;
-  }
-  RealBall& operator/=(const RealBall& b) {
-    precision_ = std::max(precision_, b.precision_);
-    arb_div(value_, value_, b.value_, precision_);
-    return *this;
-  }
+  RealBall& operator+=(const RealBall& b) { return set<sum>(*this, b, arb_add); }
+  RealBall& operator-=(const RealBall& b) { return set<difference>(*this, b, arb_sub); }
+  RealBall& operator*=(const RealBall& b);
+  RealBall& operator/=(const RealBall& b);
   /// *this += a b
-  RealBall& add_product(const RealBall& a, const RealBall& b) {
-    precision_ = std::max({precision_, a.precision_, b.precision_});
-    arb_addmul(value_, a.value_, b.value_, precision_);
-    return *this;
-  }
-  RealBall operator-() const {
-    RealBall result;
-    result.precision_ = precision_;
-    arb_neg(result.value_, value_);
-    return result;
-  }
+  RealBall& add_product(const RealBall& a, const RealBall& b);
+  RealBall operator-() const;
   friend RealBall operator+(const RealBall& a, const RealBall& b) {
     RealBall result;
-    result.precision_ = std::max(a.precision_, b.precision_);
-    arb_add(result.value_, a.value_, b.value_, result.precision_);
+    result.set<sum>(a, b, arb_add);
     return result;
   }
   friend RealBall operator-(const RealBall& a, const RealBall& b) {
     RealBall result;
-    result.precision_ = std::max(a.precision_, b.precision_);
-    arb_sub(result.value_, a.value_, b.value_, result.precision_);
+    result.set<difference>(a, b, arb_sub);
     return result;
   }
-  friend RealBall operator*(const RealBall& a, const RealBall& b) {
-    RealBall result;
-    result.precision_ = std::max(a.precision_, b.precision_);
-    arb_mul(result.value_, a.value_, b.value_, result.precision_);
-    return result;
-  }
-  friend RealBall operator/(const RealBall& a, const RealBall& b) {
-    RealBall result;
-    result.precision_ = std::max(a.precision_, b.precision_);
-    arb_div(result.value_, a.value_, b.value_, result.precision_);
-    return result;
-  }
+  friend RealBall operator*(const RealBall& a, const RealBall& b);
+  friend RealBall operator/(const RealBall& a, const RealBall& b);
 
   /// Every number of the ball is > 0 (< 0).
-  bool is_positive() const { return arb_is_positive(value_) != 0; }
-  bool is_negative() const { return arb_is_negative(value_) != 0; }
-  bool contains_zero() const { return arb_contains_zero(value_) != 0; }
+  bool is_positive() const;
+  bool is_negative() const;
+  bool contains_zero() const;
   /// The ball is the single number zero.
-  bool is_zero() const { return arb_is_zero(value_) != 0; }
-  bool is_finite() const { return arb_is_finite(value_) != 0; }
-  bool contains(const Rational& x) const { return arb_contains_fmpq(value_, x.flint()) != 0; }
-  bool overlaps(const RealBall& other) const { return arb_overlaps(value_, other.value_) != 0; }
+  bool is_zero() const { return words() ? words()->is_zero() : arb_is_zero(long_ball()) != 0; }
+  bool is_finite() const { return words() || arb_is_finite(long_ball()) != 0; }
+  bool contains(const Rational& x) const;
+  bool overlaps(const RealBall& other) const;
 
   /// A double near the midpoint; says nothing about the radius.
-  double midpoint() const { return arf_get_d(arb_midref(value_), ARF_RND_NEAR); }
+  double midpoint() const;
+  /// The midpoint itself, of a finite ball.
+  Rational exact_midpoint() const;
+  /// The ball of the midpoint alone.
+  RealBall centre() const;
+  /// A double that bounds how far the numbers of the ball are from the exact midpoint.
+  double radius() const;
   /// Doubles that bound the numbers of the ball from below and above.
   double lower() const;
   double upper() const;
@@ -141,14 +112,38 @@ class RealBall {
   /// A double that bounds how far the numbers of the ball are from the one nearest to the midpoint.
   double rounding_error() const;
 
-  arb_struct* arb() { return value_; }
-  const arb_struct* arb() const { return value_; }
-  /// For results computed through arb(): the precision they carry from here on.
-  void set_precision(long bits) { precision_ = bits; }
+  /// The ball in double words, or nothing: one of a higher precision, or beyond their range.
+  const DoubleWordBall* words() const { return std::get_if<DoubleWordBall>(&value_); }
+  /// The ball as Arb has it.
+  ArbBall arb() const;
+  /// That without a copy, of a ball that has no double words.
+  const arb_struct* long_ball() const { return std::get_if<ArbBall>(&value_)->get(); }
 
  private:
-  friend class ComplexBall;
-  arb_t value_;
+  using OnDoubleWords = std::optional<DoubleWordBall>(const DoubleWordBall&, const DoubleWordBall&);
+  using OnArb = void(arb_t, const arb_t, const arb_t, slong);
+
+  /// By the first function where operands and result are double words, else by the second.
+  template <OnDoubleWords& short_result>
+  RealBall& set(const RealBall& a, const RealBall& b, OnArb& long_result) {
+    if (a.words() && b.words()) {
+      if (const auto words = short_result(*a.words(), *b.words())) {
+        precision_ = std::max(a.precision_, b.precision_);
+        value_ = *words;
+        return *this;
+      }
+    }
+    return set_in_arb(a, b, long_result);
+  }
+  RealBall& add_product_in_arb(const RealBall& a, const RealBall& b);
+  RealBall& set_in_arb(const RealBall& a, const RealBall& b, OnArb& function);
+
+  /// The ball as one of Arb's from here on, to be computed in place.
+  arb_struct* in_place();
+  /// In double words again where they have the precision and the range.
+  void shorten();
+
+  std::variant<DoubleWordBall, ArbBall> value_;
   long precision_ = kFloor;
 };
 
@@ -164,110 +159,55 @@ std::vector<RealBall> normalized(std::vector<RealBall> numbers);
 
 class ComplexBall {
  public:
-  ComplexBall() { acb_init(value_); }
-  ComplexBall(const RealBall& real) : precision_(real.precision_) {
-    acb_init(value_);
-    arb_set(acb_realref(value_), real.value_);
+  ComplexBall() = default;
+  ComplexBall(RealBall real) : ComplexBall(std::move(real), RealBall()) {}
+  ComplexBall(double exact) : real_(exact) {}
+  ComplexBall(std::complex<double> exact) : real_(exact.real()), imag_(exact.imag()) {}
+  ComplexBall(RealBall real, RealBall imaginary)
+      : real_(std::move(real)), imag_(std::move(imaginary)) {
+    if (real_.precision() < imag_.precision()) real_ = real_.at_precision(imag_.precision());
+    if (imag_.precision() < real_.precision()) imag_ = imag_.at_precision(real_.precision());
   }
-  ComplexBall(double exact) : ComplexBall(RealBall(exact)) {}
-  ComplexBall(const RealBall& real, const RealBall& imaginary)
-      : precision_(std::max(real.precision_, imaginary.precision_)) {
-    acb_init(value_);
-    arb_set(acb_realref(value_), real.value_);
-    arb_set(acb_imagref(value_), imaginary.value_);
-  }
-  ComplexBall(const ComplexBall& other) : precision_(other.precision_) {
-    acb_init(value_);
-    acb_set(value_, other.value_);
-  }
-  ComplexBall(ComplexBall&& other) noexcept : precision_(other.precision_) {
-    acb_init(value_);
-    acb_swap(value_, other.value_);
-  }
-  ComplexBall& operator=(const ComplexBall& other) {
-    acb_set(value_, other.value_);
-    precision_ = other.precision_;
-    return *this;
-  }
-  ComplexBall& operator=(ComplexBall&& other) noexcept {
-    acb_swap(value_, other.value_);
-    precision_ = other.precision_;
-    return *this;
-  }
-  ~ComplexBall() { acb_clear(value_); }
 
-  long precision() const { return precision_; }
-  RealBall real() const;
-  RealBall imag() const;
+  long precision() const { return real_.precision(); }
+  const RealBall& real() const { return real_; }
+  const RealBall& imag() const { return imag_; }
 
   ComplexBall& operator+=(const ComplexBall& b) {
-    precision_ = std::max(precision_, b.precision_);
-    acb_add(value_, value_, b.value_, precision_);
+    real_ += b.real_;
+    imag_ += b.imag_;
     return *this;
   }
   ComplexBall& operator-=(const ComplexBall& b) {
-    precision_ = std::max(precision_, b.precision_);
-    acb_sub(value_, value_, b.value_, precision_);
+    real_ -= b.real_;
+    imag_ -= b.imag_;
     return *this;
   }
-  ComplexBall& operator*=(const ComplexBall& b) {
-    precision_ = std::max(precision_, b.precision_);
-    acb_mul(value_, value_, b.value_, precision_);
-    return *this;
-  }
-  ComplexBall& operator/=(const ComplexBall& b) {
-    precision_ = std::max(precision_, b.precision_);
-    acb_div(value_, value_, b.value_, precision_);
-    return *this;
-  }
+  ComplexBall& operator*=(const ComplexBall& b) { return *this = *this * b; }
+  ComplexBall& operator/=(const ComplexBall& b) { return *this = *this / b; }
   /// *this += a b
-  ComplexBall& add_product(const ComplexBall& a, const ComplexBall& b) {
-    precision_ = std::max({precision_, a.precision_, b.precision_});
-    acb_addmul(value_, a.value_, b.value_, precision_);
-    return *this;
-  }
-  ComplexBall operator-() const {
-    ComplexBall result;
-    result.precision_ = precision_;
-    acb_neg(result.value_, value_);
-    return result;
-  }
+  ComplexBall& add_product(const ComplexBall& a, const ComplexBall& b);
+  ComplexBall operator-() const { return {-real_, -imag_}; }
   friend ComplexBall operator+(ComplexBall a, const ComplexBall& b) { return std::move(a += b); }
   friend ComplexBall operator-(ComplexBall a, const ComplexBall& b) { return std::move(a -= b); }
   friend ComplexBall operator*(const ComplexBall& a, const ComplexBall& b) {
-    ComplexBall result;
-    result.precision_ = std::max(a.precision_, b.precision_);
-    acb_mul(result.value_, a.value_, b.value_, result.precision_);
-    return result;
+    return ComplexBall().add_product(a, b);
   }
   friend ComplexBall operator/(const ComplexBall& a, const ComplexBall& b) {
-    ComplexBall result;
-    result.precision_ = std::max(a.precision_, b.precision_);
-    acb_div(result.value_, a.value_, b.value_, result.precision_);
-    return result;
+    const RealBall inverse = RealBall(1) / (b.real_ * b.real_ + b.imag_ * b.imag_);
+    return {(a.real_ * b.real_ + a.imag_ * b.imag_) * inverse,
+            (a.imag_ * b.real_ - a.real_ * b.imag_) * inverse};
   }
-  friend ComplexBall conj(const ComplexBall& a) {
-    ComplexBall result;
-    result.precision_ = a.precision_;
-    acb_conj(result.value_, a.value_);
-    return result;
-  }
+  friend ComplexBall conj(const ComplexBall& a) { return {a.real_, -a.imag_}; }
 
-  bool contains_zero() const { return acb_contains_zero(value_) != 0; }
-  bool is_zero() const { return acb_is_zero(value_) != 0; }
-  std::complex<double> midpoint() const {
-    return {arf_get_d(arb_midref(acb_realref(value_)), ARF_RND_NEAR),
-            arf_get_d(arb_midref(acb_imagref(value_)), ARF_RND_NEAR)};
-  }
-
-  acb_struct* acb() { return value_; }
-  const acb_struct* acb() const { return value_; }
-  /// For results computed through acb(): the precision they carry from here on.
-  void set_precision(long bits) { precision_ = bits; }
+  bool contains_zero() const { return real_.contains_zero() && imag_.contains_zero(); }
+  bool is_zero() const { return real_.is_zero() && imag_.is_zero(); }
+  std::complex<double> midpoint() const { return {real_.midpoint(), imag_.midpoint()}; }
 
  private:
-  acb_t value_;
-  long precision_ = RealBall::kFloor;
+  ComplexBall& add_product_in_parts(const ComplexBall& a, const ComplexBall& b);
+
+  RealBall real_, imag_;  ///< of one precision
 };
 
 /// The principal square root.

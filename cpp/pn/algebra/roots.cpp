@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/algebra/roots.hpp"
 
-#include <acb_poly.h>
 #include <arb_fmpz_poly.h>
+#include <arb_poly.h>
 #include <flint/fmpz_poly.h>
 #include <flint/fmpz_poly_factor.h>
 
@@ -13,6 +13,7 @@
 
 #include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/common_factor.hpp"
+#include "pn/algebra/form.hpp"
 
 namespace pn {
 namespace {
@@ -30,21 +31,6 @@ class AcbVector {
  private:
   acb_ptr data_;
   slong size_;
-};
-
-class AcbPolynomial {
- public:
-  AcbPolynomial(const RationalPolynomial& p, slong precision) {
-    acb_poly_init(value_);
-    acb_poly_set_fmpq_poly(value_, p.flint(), precision);
-  }
-  AcbPolynomial(const AcbPolynomial&) = delete;
-  AcbPolynomial& operator=(const AcbPolynomial&) = delete;
-  ~AcbPolynomial() { acb_poly_clear(value_); }
-  const acb_poly_struct* get() const { return value_; }
-
- private:
-  acb_poly_t value_;
 };
 
 /// Simultaneous iteration (Durand and Kerner) in doubles: starting values only, nothing is claimed.
@@ -78,59 +64,178 @@ std::vector<std::complex<double>> approximate_roots(const RationalPolynomial& p)
   return z;
 }
 
+RealBall ball(const arb_struct* x, long precision) {
+  ArbBall result;
+  arb_set(result.get(), x);
+  return RealBall(result, precision);
+}
+
 /// The n isolated roots of this multiplicity, sorted into real ones and pairs.
 RootSet sorted_out(AcbVector& roots, slong n, int multiplicity, long precision) {
   RootSet set;
   for (slong i = 0; i < n; ++i) {
-    ComplexBall root;
-    acb_set(root.acb(), roots[i]);
-    root.set_precision(precision);
+    const RealBall real = ball(acb_realref(roots[i]), precision);
     if (arb_is_zero(acb_imagref(roots[i]))) {
-      set.real.push_back({root.real(), multiplicity});
+      set.real.push_back({real, multiplicity});
     } else if (arb_is_positive(acb_imagref(roots[i]))) {
-      set.pairs.push_back({std::move(root), multiplicity});
+      const RealBall imaginary = ball(acb_imagref(roots[i]), precision);
+      set.pairs.push_back({ComplexBall(real, imaginary), multiplicity});
     }
   }
   return set;
 }
 
-/// Whether all radii are below half the bits of the precision, seen from the largest root: less
-/// than the conditioning of the roots costs, more than is left where the iteration was still under
-/// way.
-bool are_narrow(AcbVector& roots, slong n, slong precision) {
-  double size = 0, radius = 0;
-  for (slong i = 0; i < n; ++i) {
-    for (const arb_struct* part : {acb_realref(roots[i]), acb_imagref(roots[i])}) {
-      size = std::max(size, std::abs(arf_get_d(arb_midref(part), ARF_RND_UP)));
-      radius = std::max(radius, mag_get_d(arb_radref(part)));
-    }
-  }
-  return radius <= std::ldexp(size, static_cast<int>(-precision / 2));
+RealBall at_precision(const RealBall& x, long bits) { return x.at_precision(bits); }
+ComplexBall at_precision(const ComplexBall& z, long bits) {
+  return {z.real().at_precision(bits), z.imag().at_precision(bits)};
+}
+RealBall centre(const RealBall& x) { return x.centre(); }
+ComplexBall centre(const ComplexBall& z) { return {z.real().centre(), z.imag().centre()}; }
+double magnitude_upper(const RealBall& x) { return x.magnitude_upper(); }
+double magnitude_upper(const ComplexBall& z) {
+  // The bound and the root round by a few units.
+  constexpr double kUpwards = 1 + 1e-15;
+  return std::hypot(z.real().magnitude_upper(), z.imag().magnitude_upper()) * kUpwards;
 }
 
-/// The roots of p if double-precision starting values lead to n disjoint and narrow inclusions.
+/// At least one root of a polynomial is as near to a point.
+template <class Ball>
+struct Inclusion {
+  Ball centre;
+  double radius;
+};
+
+/// A real polynomial that is evaluated with many bits, for a value of few.
+class AccuratePolynomial {
+ public:
+  AccuratePolynomial(const RationalPolynomial& p, slong precision) : precision_(precision) {
+    arb_poly_init(value_);
+    arb_poly_set_fmpq_poly(value_, p.flint(), precision);
+  }
+  AccuratePolynomial(const AccuratePolynomial&) = delete;
+  AccuratePolynomial& operator=(const AccuratePolynomial&) = delete;
+  ~AccuratePolynomial() { arb_poly_clear(value_); }
+
+  RealBall operator()(const RealBall& x) const {
+    ArbBall result;
+    arb_poly_evaluate(result.get(), value_, x.arb().get(), precision_);
+    return RealBall(std::move(result), kBitsOfValue);
+  }
+  ComplexBall operator()(const ComplexBall& z) const {
+    AcbVector result(1);
+    acb_set_arb_arb(result[0], z.real().arb().get(), z.imag().arb().get());
+    arb_poly_evaluate_acb(result[0], value_, result[0], precision_);
+    return {ball(acb_realref(result[0]), kBitsOfValue), ball(acb_imagref(result[0]), kBitsOfValue)};
+  }
+
+  static constexpr long kBitsOfValue = DoubleWordBall::kPrecision;
+
+ private:
+  arb_poly_t value_;
+  slong precision_;
+};
+
+/// A polynomial for the search of roots: near them its value, but not its slope, needs many bits.
+class RefinedPolynomial {
+ public:
+  RefinedPolynomial(const RationalPolynomial& p, long precision)
+      : precision_(precision), value_(p, precision + kGuardBits) {
+    std::vector<RealBall> coefficients;
+    for (int i = 0; i <= p.degree(); ++i) {
+      coefficients.emplace_back(p.coefficient(i), AccuratePolynomial::kBitsOfValue);
+    }
+    complex_ = Form<ComplexBall>({coefficients.begin(), coefficients.end()});
+    real_ = Form<RealBall>(std::move(coefficients));
+  }
+
+  /// Newton's iteration until the inclusion has the bits of the precision or does not get better.
+  template <class Ball>
+  Inclusion<Ball> inclusion(const Ball& start) const {
+    constexpr double kProgress = 1.0 / 16;
+    const double sufficient = std::ldexp(magnitude_upper(start), static_cast<int>(-precision_));
+    // From the digits of a double to those of two.
+    Ball z = centre(at_precision(start, precision_) -
+                    short_form(start)(start) / short_form(start).slope(start));
+    Inclusion<Ball> best{z, INFINITY};
+    for (;;) {
+      const Ball step = value_(z) / short_form(z).slope(z);
+      // The nearest root is at most n |p / p'| away, which is rounded twice here.
+      const double radius = real_.degree() * magnitude_upper(step) * (1 + 1e-15);
+      const bool improves = radius < best.radius * kProgress;
+      if (radius < best.radius) best = {z, radius};
+      if (!improves || radius <= sufficient) return best;
+      z = centre(z - step);
+    }
+  }
+
+ private:
+  /// What the conditioning of roots mostly costs: with it 104 bits become two words of Arb's.
+  static constexpr long kGuardBits = 24;
+
+  /// In double words: more bits would not speed the iteration up.
+  const Form<RealBall>& short_form(const RealBall&) const { return real_; }
+  const Form<ComplexBall>& short_form(const ComplexBall&) const { return complex_; }
+
+  long precision_;
+  AccuratePolynomial value_;
+  Form<RealBall> real_;
+  Form<ComplexBall> complex_;
+};
+
+RealBall enclosed(const RealBall& centre, double radius, long precision) {
+  return centre.at_precision(precision) + RealBall::between(-radius, radius, precision);
+}
+
+/// Every two of these are apart.
+bool are_pairwise_apart(const std::vector<ComplexBall>& balls) {
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if ((balls[i] - balls[j]).contains_zero()) return false;
+    }
+  }
+  return true;
+}
+
+/// The roots of p if Newton's iteration, from double-precision starting values, leads to n disjoint
+/// and narrow inclusions.
+///
+/// A polynomial of degree n has a root at most n |p(z) / p'(z)| away from z (E. Laguerre; P.
+/// Henrici, Applied and Computational Complex Analysis I, 1974, 6.4). So n disjoint disks have one
+/// root each, and if p is real, the root of a disk around a real point is real.
 std::optional<RootSet> isolated_from_approximations(const RationalPolynomial& p, long precision) {
-  const slong n = p.degree();
-  const auto start = approximate_roots(p);
-  AcbVector initial(n), roots(n);
-  for (slong i = 0; i < n; ++i) {
-    const auto z = start[static_cast<std::size_t>(i)];
-    if (!std::isfinite(z.real()) || !std::isfinite(z.imag())) return std::nullopt;
-    acb_set_d_d(initial[i], z.real(), z.imag());
+  // Starting values this near to the real line are taken for real.
+  constexpr double kNearlyReal = 1e-10;
+  const RefinedPolynomial polynomial(p, precision);
+  RootSet set;
+  std::vector<ComplexBall> disks;
+  double size = 0, widest = 0;
+  const auto include = [&](double magnitude, double radius) {
+    size = std::max(size, magnitude);
+    widest = std::max(widest, radius);
+  };
+  for (const std::complex<double>& start : approximate_roots(p)) {
+    if (!std::isfinite(start.real()) || !std::isfinite(start.imag())) return std::nullopt;
+    if (std::abs(start.imag()) <= kNearlyReal * std::abs(start.real())) {
+      const auto [centre, radius] = polynomial.inclusion(RealBall(start.real()));
+      include(std::abs(start), radius);
+      set.real.push_back({enclosed(centre, radius, precision), 1});
+      disks.push_back({enclosed(centre, radius, precision), enclosed(0, radius, precision)});
+    } else if (start.imag() > 0) {
+      const auto [centre, radius] = polynomial.inclusion(ComplexBall(start));
+      include(std::abs(start), radius);
+      const ComplexBall disk(enclosed(centre.real(), radius, precision),
+                             enclosed(centre.imag(), radius, precision));
+      set.pairs.push_back({disk, 1});
+      disks.push_back(disk);
+      disks.push_back(conj(disk));
+    }
   }
-  const AcbPolynomial polynomial(p, precision);
-  constexpr slong kRefinements =
-      6;  // quadratic convergence from 40 bits reaches any working precision
-  if (acb_poly_find_roots(roots.data(), polynomial.get(), initial.data(), kRefinements, precision) <
-          n ||
-      !are_narrow(roots, n, precision) ||
-      !acb_poly_validate_real_roots(roots.data(), polynomial.get(), precision)) {
-    return std::nullopt;
-  }
-  for (slong i = 0; i < n; ++i) {
-    if (arb_contains_zero(acb_imagref(roots[i]))) arb_zero(acb_imagref(roots[i]));
-  }
-  return sorted_out(roots, n, 1, precision);
+  // Half the bits of the precision are less than the conditioning of the roots costs, and more than
+  // is left where the iteration was still under way.
+  const bool are_narrow = widest <= std::ldexp(size, static_cast<int>(-precision / 2));
+  const bool are_all = static_cast<int>(disks.size()) == p.degree();
+  if (!are_narrow || !are_all || !are_pairwise_apart(disks)) return std::nullopt;
+  return set;
 }
 
 RootSet isolated_squarefree(const fmpz_poly_struct* p, int multiplicity, long precision) {
@@ -196,14 +301,7 @@ std::vector<int> bernstein_signs(const RationalPolynomial& p) {
 std::optional<Rational> number_between(const RealBall& low, const RealBall& high) {
   const RealBall gap = high - low;
   if (!gap.is_positive()) return std::nullopt;
-  arf_t middle;
-  arf_init(middle);
-  arf_add(middle, arb_midref(low.arb()), arb_midref(high.arb()), ARF_PREC_EXACT, ARF_RND_DOWN);
-  arf_mul_2exp_si(middle, middle, -1);
-  Rational result;
-  arf_get_fmpq(result.flint(), middle);
-  arf_clear(middle);
-  return result;
+  return (low.exact_midpoint() + high.exact_midpoint()) / Rational(2L);
 }
 
 /// +1, -1 for a root certainly above, below x; 0 when its ball contains x.
@@ -235,7 +333,7 @@ RootSet isolate_roots(const RationalPolynomial& p, long precision) {
   std::optional<RootSet> simple = isolated_from_approximations(p, precision);
   RootSet roots = simple ? std::move(*simple) : isolated_by_factors(p, precision);
   std::sort(roots.real.begin(), roots.real.end(), [](const RealRoot& a, const RealRoot& b) {
-    return a.value.midpoint() < b.value.midpoint();
+    return a.value.exact_midpoint() < b.value.exact_midpoint();
   });
   return roots;
 }

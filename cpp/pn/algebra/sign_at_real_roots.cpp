@@ -15,10 +15,10 @@ bool has_real_roots(const RationalPolynomial& p) {
 
 /// A ball with the sign of f(t): the numerator of f has it.
 RealBall numerator_at(const RationalPolynomial& f, const RealBall& t, long precision) {
-  RealBall result;
-  _arb_fmpz_poly_evaluate_arb(result.arb(), fmpq_poly_numref(f.flint()), f.degree() + 1, t.arb(),
-                              precision);
-  return result;
+  ArbBall result;
+  _arb_fmpz_poly_evaluate_arb(result.get(), fmpq_poly_numref(f.flint()), f.degree() + 1,
+                              t.arb().get(), precision);
+  return RealBall(result, precision);
 }
 
 /// Nothing where the precision is too low.

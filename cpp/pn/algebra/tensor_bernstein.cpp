@@ -153,7 +153,7 @@ RoundedBernstein::RoundedBernstein(const TensorBernstein& enclosure)
   double radius = 0;
   for (const RealBall& coefficient : enclosure.coefficients()) {
     coefficients_.push_back(coefficient.midpoint());
-    radius = std::max(radius, mag_get_d(arb_radref(coefficient.arb())));
+    radius = std::max(radius, coefficient.radius());
   }
   const double rounding = magnitude() * kRounding;
   // An exact zero needs no digits.

@@ -18,9 +18,9 @@ constexpr std::size_t kRowsPerTask = 32;
 /// 2^ to this power.
 constexpr int kNegligibleWeightBits = -40;
 
-/// A coordinate this much smaller than the surface is zero on export: 2^-90 of its size. That is
-/// where 128 bits leave the coordinates of an ellipsoid that vanish.
-constexpr int kNegligibleBits = 90;
+/// A coordinate this much smaller than the surface is zero on export: 2^-60 of its size. That is
+/// below the last place of the others, and where 104 bits leave those of an ellipsoid that vanish.
+constexpr int kNegligibleBits = 60;
 /// The arithmetic of the bounds below rounds by a few hundred units in the last place at most.
 constexpr double kRoundingOfBounds = 1 + 1e-12;
 

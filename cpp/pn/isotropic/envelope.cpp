@@ -84,8 +84,9 @@ void Envelope::choose_roots(long precision) {
   const RootChoice choice =
       local.roots.pairs.empty() ? RootChoice{} : best_root_choice(local.circles, local.roots);
   chosen_roots_.clear();
-  for (const ComplexBall& root : half_roots(local.roots, choice).complex) {
-    chosen_roots_.push_back(root.midpoint());
+  for (std::size_t i = 0; i < choice.size(); ++i) {
+    const std::complex<double> upper = local.roots.pairs[i].value.midpoint();
+    chosen_roots_.insert(chosen_roots_.end(), static_cast<std::size_t>(choice[i]), upper);
   }
   SpinorMatrix<ComplexBall> spinor = factorize(local, choice);
   degree_ = section_degree(local.carrier, spinor.degree[0]);

@@ -58,7 +58,7 @@ class Envelope {
   int degree_ = 0, degree_around_ = 0;
   long first_precision_ = 0;  ///< the one at which the roots were chosen
   IsotropicHypersurface<RealBall> first_enclosure_;
-  std::vector<std::complex<double>> chosen_roots_;  ///< one for every conjugate pair and copy
+  std::vector<std::complex<double>> chosen_roots_;  ///< the upper ones, every copy
 };
 
 }  // namespace pn

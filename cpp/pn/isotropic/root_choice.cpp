@@ -28,7 +28,7 @@ class RootChoiceSearch {
     matrix_ = {midpoint(h.h00), midpoint(h.h01), midpoint(h.h11)};
     for (const ConjugatePair& pair : roots_.pairs) pairs_.push_back(pair.value.midpoint());
     for (const DoubleRoots::Real& root : roots_.real) {
-      fixed_.real.insert(fixed_.real.end(), root.copies, root.value.midpoint());
+      fixed_.real.push_back({root.value.midpoint(), root.copies});
     }
     fixed_.infinite = roots_.infinite_copies;
   }
@@ -50,9 +50,7 @@ class RootChoiceSearch {
   HalfRoots<std::complex<double>> chosen(const RootChoice& choice) const {
     HalfRoots<std::complex<double>> half = fixed_;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      for (int copy = 0; copy < roots_.pairs[i].multiplicity; ++copy) {
-        half.complex.push_back(copy < choice[i] ? pairs_[i] : std::conj(pairs_[i]));
-      }
+      half.pairs.push_back({pairs_[i], choice[i], roots_.pairs[i].multiplicity - choice[i]});
     }
     return half;
   }
@@ -134,13 +132,11 @@ HermitianMatrix<ComplexBall> hermitian_matrix(const CircleForms<RealBall>& circl
 HalfRoots<ComplexBall> half_roots(const DoubleRoots& roots, const RootChoice& choice) {
   HalfRoots<ComplexBall> half;
   for (std::size_t i = 0; i < roots.pairs.size(); ++i) {
-    const ComplexBall& root = roots.pairs[i].value;
-    for (int copy = 0; copy < roots.pairs[i].multiplicity; ++copy) {
-      half.complex.push_back(copy < choice[i] ? root : conj(root));
-    }
+    const auto& [root, multiplicity] = roots.pairs[i];
+    half.pairs.push_back({root, choice[i], multiplicity - choice[i]});
   }
   for (const DoubleRoots::Real& root : roots.real) {
-    half.real.insert(half.real.end(), root.copies, ComplexBall(root.value));
+    half.real.push_back({ComplexBall(root.value), root.copies});
   }
   half.infinite = roots.infinite_copies;
   return half;
@@ -153,14 +149,13 @@ RootChoice best_root_choice(const CircleForms<RealBall>& circles, const DoubleRo
 RootChoice recognized(const DoubleRoots& roots, const std::vector<std::complex<double>>& chosen) {
   RootChoice choice(roots.pairs.size(), 0);
   for (const std::complex<double>& root : chosen) {
-    const std::complex<double> place(root.real(), std::abs(root.imag()));
     const auto distance = [&](const ConjugatePair& pair) {
-      return std::abs(pair.value.midpoint() - place);
+      return std::abs(pair.value.midpoint() - root);
     };
     const auto nearest = std::min_element(
         roots.pairs.begin(), roots.pairs.end(),
         [&](const ConjugatePair& a, const ConjugatePair& b) { return distance(a) < distance(b); });
-    if (root.imag() > 0) ++choice[static_cast<std::size_t>(nearest - roots.pairs.begin())];
+    ++choice[static_cast<std::size_t>(nearest - roots.pairs.begin())];
   }
   return choice;
 }

@@ -22,9 +22,11 @@
 // along a lattice chain at the roots of D.
 //
 // NOTATION. A has columns a_0, a_1 of formal degrees d_0, d_1; hi is the column of larger degree,
-// lo the other. One step per root c of the chosen half of D: v spans the kernel of H(c), L = t - c
-// (or s at infinity), ~ conjugates coefficients. H is updated with A so that A* H A stays
-// divisible.
+// lo the other. One step per root c of the chosen half of D: L = t - c (or s at infinity), and A
+// changes so that A* H A becomes divisible by L L~, where ~ conjugates coefficients. For that a
+// step asks for v, which spans the kernel of A* H A over what it is divisible by already, at c. If
+// H(c) w = 0, then v = adj(A(c)) w at the first visit of c: so nothing is divided, which in balls
+// would cost some ten bits a step. Only a root that comes again needs the quotient.
 #pragma once
 
 #include <algorithm>
@@ -49,9 +51,19 @@ struct HermitianMatrix {
 /// The half of the roots of D that the factorization takes: h steps in all.
 template <class C>
 struct HalfRoots {
-  std::vector<C> complex;  ///< c or conj(c) for every pair, as often as its multiplicity
-  std::vector<C> real;     ///< each real root of multiplicity 2q of D, q times
-  int infinite = 0;        ///< q for a root of multiplicity 2q at infinity
+  /// c and conj(c) so often, together the multiplicity of the pair in D.
+  struct Pair {
+    C root;
+    int copies, conjugates;
+  };
+  /// A real root of multiplicity 2q of D, q times.
+  struct Real {
+    C root;
+    int copies;
+  };
+  std::vector<Pair> pairs;
+  std::vector<Real> real;
+  int infinite = 0;  ///< q for a root of multiplicity 2q at infinity
 };
 
 /// A: entry[i][j] is row i of column j, of formal degree degree[j]; degree[0] >= degree[1].
@@ -76,6 +88,11 @@ inline bool is_certainly_nonzero(const std::complex<double>& z) {
   return std::abs(z) > kNegligible;
 }
 inline bool is_certainly_nonzero(const ComplexBall& z) { return !z.contains_zero(); }
+/// Far enough from zero to divide by it without the loss of half the digits of a double.
+template <class C>
+bool is_clearly_nonzero(const C& z) {
+  return std::abs(midpoint(z)) > kNegligible && is_certainly_nonzero(z);
+}
 inline bool is_certainly_zero(const std::complex<double>& z) { return std::abs(z) <= kNegligible; }
 inline bool is_certainly_zero(const ComplexBall& z) { return z.is_zero(); }
 inline std::complex<double> real_part(const std::complex<double>& z) { return z.real(); }
@@ -94,41 +111,39 @@ inline double size(const ComplexBall& z) { return size(z.midpoint()); }
 template <class C>
 using Vector = std::array<C, 2>;
 
-/// A point of the projective line at which D vanishes.
 template <class C>
-struct Root {
-  std::optional<C> finite;  ///< nothing: the point at infinity
+using Matrix = std::array<Vector<C>, 2>;  ///< by rows
+
+/// A point (t : s) of the projective line.
+template <class C>
+struct Point {
+  std::optional<C> finite;  ///< t / s; nothing at infinity
   bool is_real = true;
+  int number = 0;  ///< of a root of D: that of the root, or of the pair of conjugates
 
   C value_of(const Form<C>& form) const { return finite ? form(*finite) : form.at_infinity(); }
 };
 
 template <class C>
-Form<C> divided(const Form<C>& form, const Root<C>& c) {
+Point<C> conj(const Point<C>& c) {
+  return c.finite ? Point<C>{conj(*c.finite), c.is_real, c.number} : c;
+}
+
+template <class C>
+Form<C> divided(const Form<C>& form, const Point<C>& c) {
   if (!c.finite) return divided_by_infinity(form);
   return divided_by_root(form, *c.finite, size(*c.finite) > 1);
 }
 
 template <class C>
-Form<C> divided_by_conjugate(const Form<C>& form, const Root<C>& c) {
-  return divided(form, c.finite ? Root<C>{conj(*c.finite), c.is_real} : c);
-}
-
-template <class C>
-Form<C> linear_form(const Root<C>& c) {
+Form<C> linear_form(const Point<C>& c) {
   return c.finite ? Form<C>({-*c.finite, C(1.0)}) : Form<C>({C(1.0), C(0.0)});
-}
-
-template <class C>
-Form<C> real_form(Form<C> form) {
-  for (int i = 0; i <= form.degree(); ++i) form[i] = real_part(form[i]);
-  return form;
 }
 
 /// The form of this degree with value `value` at c whose coefficients have the least sum of
 /// squares.
 template <class C>
-Form<C> interpolating_form(const Root<C>& c, const C& value, int degree) {
+Form<C> interpolating_form(const Point<C>& c, const C& value, int degree) {
   Form<C> rho = Form<C>::zero(degree);
   if (!c.finite) {
     rho[degree] = value;
@@ -145,7 +160,75 @@ Form<C> interpolating_form(const Root<C>& c, const C& value, int degree) {
   return rho * (C(1.0) / sum);
 }
 
-/// The state of the algorithm: A, its degrees, and H = A* H_0 A divided by the steps done so far.
+template <class C>
+Matrix<C> value_of(const HermitianMatrix<C>& h, const Point<C>& t) {
+  return {{{t.value_of(h.h00), t.value_of(h.h01)}, {t.value_of(conj(h.h01)), t.value_of(h.h11)}}};
+}
+
+/// A vector of the kernel of a matrix of rank 1.
+template <class C>
+Vector<C> kernel(const Matrix<C>& m) {
+  const bool upper = size(m[0][0]) + size(m[0][1]) >= size(m[1][0]) + size(m[1][1]);
+  return upper ? Vector<C>{-m[0][1], m[0][0]} : Vector<C>{-m[1][1], m[1][0]};
+}
+
+/// The same times a power of two, of size about 1.
+template <class C>
+Vector<C> scaled(const Vector<C>& v) {
+  const double length = size(v[0]) + size(v[1]);
+  if (!std::isfinite(length) || length == 0) throw Undecided("the rank at a root of D");
+  const C scale(std::exp2(-std::ilogb(length)));
+  return {v[0] * scale, v[1] * scale};
+}
+
+/// x* m y
+template <class C>
+C sesquilinear(const Vector<C>& x, const Matrix<C>& m, const Vector<C>& y) {
+  return conj(x[0]) * (m[0][0] * y[0] + m[0][1] * y[1]) +
+         conj(x[1]) * (m[1][0] * y[0] + m[1][1] * y[1]);
+}
+
+/// The unit vector, in doubles, of the larger eigenvalue of a Hermitian matrix.
+template <class C>
+Vector<std::complex<double>> eigenvector(const Matrix<C>& m) {
+  const double m00 = midpoint(m[0][0]).real(), m11 = midpoint(m[1][1]).real();
+  const std::complex<double> m01 = midpoint(m[0][1]);
+  const double half = (m00 - m11) / 2, spread = std::hypot(half, std::abs(m01));
+  // (m - the other eigenvalue) e_k, with the larger of its two columns.
+  const Vector<std::complex<double>> v =
+      half >= 0 ? Vector<std::complex<double>>{half + spread, std::conj(m01)}
+                : Vector<std::complex<double>>{m01, spread - half};
+  const double length = std::hypot(std::abs(v[0]), std::abs(v[1]));
+  return {v[0] / length, v[1] / length};
+}
+
+/// Real points: infinity, zero, 1, -1, and then further out and in; at least so many.
+template <class C>
+std::vector<Point<C>> real_points(int count) {
+  std::vector<Point<C>> points = {{std::nullopt}, {C(0.0)}, {C(1.0)}, {C(-1.0)}};
+  for (double t = 2; static_cast<int>(points.size()) < count; t += 1) {
+    for (const double x : {t, -t, 1 / t, -1 / t}) points.push_back({C(x)});
+  }
+  return points;
+}
+
+/// The form of degree n with these values at n + 1 points.
+template <class C>
+Form<C> interpolating_form(const std::vector<Point<C>>& points, const std::vector<C>& values) {
+  Form<C> sum = Form<C>::zero(static_cast<int>(points.size()) - 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Form<C> term = Form<C>::constant(values[i]);
+    for (std::size_t j = 0; j < points.size(); ++j) {
+      if (j == i) continue;
+      const Form<C> linear = linear_form(points[j]);
+      term = term * linear * (C(1.0) / points[i].value_of(linear));
+    }
+    sum += term;
+  }
+  return sum;
+}
+
+/// The state of the algorithm: A, its degrees, and the roots taken so far.
 template <class C>
 class Factorization {
  public:
@@ -159,66 +242,78 @@ class Factorization {
 
   /// Takes a root, or for a nonreal one its conjugate, which serves the same pair. False, with
   /// nothing done, when it cannot be decided whether the kernel leaves the lower column.
-  bool step(const Root<C>& c) {
-    const Vector<C> v = kernel(c);
+  bool step(const Point<C>& c) {
+    const Vector<C> v = kernel_at(c);
     if (is_balanced()) {
       step_balanced(c, v);
       return true;
     }
-    if (is_certainly_nonzero(v[hi()])) {
+    if (is_clearly_nonzero(v[hi()])) {
       step_up_low_column(c, v);
       return true;
     }
     if (!c.is_real) {
-      const Root<C> conjugate{conj(*c.finite), false};
-      const Vector<C> other = kernel(conjugate);
-      if (is_certainly_nonzero(other[hi()])) {
+      const Point<C> conjugate = conj(c);
+      const Vector<C> other = kernel_at(conjugate);
+      if (is_clearly_nonzero(other[hi()])) {
         step_up_low_column(conjugate, other);
         return true;
       }
+    }
+    if (is_certainly_nonzero(v[hi()])) {
+      step_up_low_column(c, v);
+      return true;
     }
     if (!is_certainly_zero(v[hi()])) return false;
     step_up_high_column(c);
     return true;
   }
 
-  SpinorMatrix<C> normalized() && {
-    return is_balanced() ? std::move(*this).normalized_balanced()
-                         : std::move(*this).normalized_unbalanced();
+  SpinorMatrix<C> normalized() const {
+    return is_balanced() ? normalized_balanced() : normalized_unbalanced();
   }
 
  private:
   int hi() const { return degree_[0] >= degree_[1] ? 0 : 1; }
   int lo() const { return 1 - hi(); }
 
-  /// H_jk, the entry of row j and column k.
-  Form<C> h(int j, int k) const {
-    if (j == k) return j == 0 ? h_.h00 : h_.h11;
-    return j == 0 ? h_.h01 : conj(h_.h01);
+  Matrix<C> a_at(const Point<C>& t) const {
+    return {{{t.value_of(a_[0][0]), t.value_of(a_[0][1])},
+             {t.value_of(a_[1][0]), t.value_of(a_[1][1])}}};
   }
 
-  void set_h(int high, Form<C> hh, Form<C> hl, Form<C> ll) {
-    h_.h01 = high == 0 ? std::move(hl) : conj(hl);
-    h_.h00 = high == 0 ? hh : ll;
-    h_.h11 = high == 0 ? std::move(ll) : std::move(hh);
+  /// The kernel of A* H A / (product of L L~ of the roots taken) at c.
+  Vector<C> kernel_at(const Point<C>& c) const {
+    const auto visits = std::count_if(taken_.begin(), taken_.end(), [&](const Point<C>& other) {
+      return other.number == c.number;
+    });
+    if (visits > 0) return scaled(kernel(value_of(divided_product(c, visits), c)));
+    const Vector<C> w = kernel(value_of(h_, c));
+    const Matrix<C> a = a_at(c);
+    return scaled(Vector<C>{a[1][1] * w[0] - a[0][1] * w[1], a[0][0] * w[1] - a[1][0] * w[0]});
   }
 
-  /// A vector of the kernel of H(c), which has rank 1, of size about 1.
-  Vector<C> kernel(const Root<C>& c) const {
-    const C h00 = c.value_of(h_.h00), h01 = c.value_of(h_.h01);
-    const C h10 = c.value_of(conj(h_.h01)), h11 = c.value_of(h_.h11);
-    const bool upper = size(h00) + size(h01) >= size(h10) + size(h11);
-    Vector<C> v = upper ? Vector<C>{-h01, h00} : Vector<C>{-h11, h10};
-    if (!is_finite_and_positive(size(v[0]) + size(v[1])))
-      throw Undecided("the rank at a root of D");
-    const C scale(std::exp2(-std::ilogb(size(v[0]) + size(v[1]))));
-    return {v[0] * scale, v[1] * scale};
+  /// A* H A / (L L~)^visits for a root visited so often.
+  HermitianMatrix<C> divided_product(const Point<C>& c, long visits) const {
+    const auto quotient = [&](int j, int k) {
+      Form<C> form = product(j, k);
+      for (long i = 0; i < visits; ++i) form = divided(divided(form, c), conj(c));
+      return form;
+    };
+    return {quotient(0, 0), quotient(0, 1), quotient(1, 1)};
   }
 
-  static bool is_finite_and_positive(double x) { return std::isfinite(x) && x > 0; }
+  /// The entry of row j and column k of A* H A.
+  Form<C> product(int j, int k) const {
+    Form<C> sum = conj(a_[0][j]) * h_.h00 * a_[0][k];
+    sum += conj(a_[0][j]) * h_.h01 * a_[1][k];
+    sum += conj(a_[1][j]) * conj(h_.h01) * a_[0][k];
+    sum += conj(a_[1][j]) * h_.h11 * a_[1][k];
+    return sum;
+  }
 
   /// (a) equal degrees: A <- [A v, L A w] with w orthogonal to v.
-  void step_balanced(const Root<C>& c, const Vector<C>& v) {
+  void step_balanced(const Point<C>& c, const Vector<C>& v) {
     const Vector<C> w = {-conj(v[1]), conj(v[0])};
     const Form<C> linear = linear_form(c);
     for (auto& row : a_) {
@@ -226,23 +321,12 @@ class Factorization {
       row[1] = (row[0] * w[0] + row[1] * w[1]) * linear;
       row[0] = first;
     }
-    Form<C> vv = sesquilinear(v, v), vw = sesquilinear(v, w), ww = sesquilinear(w, w);
-    h_.h00 = real_form(divided_by_conjugate(divided(vv, c), c));
-    h_.h01 = divided_by_conjugate(vw, c);
-    h_.h11 = real_form(std::move(ww));
     ++degree_[1];
-  }
-
-  Form<C> sesquilinear(const Vector<C>& x, const Vector<C>& y) const {
-    Form<C> sum = h_.h00 * (conj(x[0]) * y[0]);
-    sum += h_.h01 * (conj(x[0]) * y[1]);
-    sum += conj(h_.h01) * (conj(x[1]) * y[0]);
-    sum += h_.h11 * (conj(x[1]) * y[1]);
-    return sum;
+    taken_.push_back(c);
   }
 
   /// (b) a_hi <- a_hi + rho a_lo with rho(c) = v_lo / v_hi, then a_lo <- L a_lo.
-  void step_up_low_column(const Root<C>& c, const Vector<C>& v) {
+  void step_up_low_column(const Point<C>& c, const Vector<C>& v) {
     const int high = hi(), low = lo();
     const Form<C> rho = interpolating_form(c, v[low] / v[high], degree_[high] - degree_[low]);
     const Form<C> linear = linear_form(c);
@@ -250,39 +334,75 @@ class Factorization {
       row[high] += rho * row[low];
       row[low] = row[low] * linear;
     }
-    const Form<C> rho_conjugate = conj(rho);
-    const Form<C> ll = h(low, low);
-    const Form<C> hl = h(high, low) + rho_conjugate * ll;
-    const Form<C> hh = h(high, high) + rho * h(high, low) + rho_conjugate * conj(hl);
-    set_h(high, real_form(divided_by_conjugate(divided(hh, c), c)), divided_by_conjugate(hl, c),
-          ll);
     ++degree_[low];
+    taken_.push_back(c);
   }
 
   /// (c) the low column itself spans the kernel: a_hi <- L a_hi.
-  void step_up_high_column(const Root<C>& c) {
-    const int high = hi(), low = lo();
+  void step_up_high_column(const Point<C>& c) {
+    const int high = hi();
     const Form<C> linear = linear_form(c);
     for (auto& row : a_) row[high] = row[high] * linear;
-    set_h(high, h(high, high), divided(h(high, low), c),
-          real_form(divided_by_conjugate(divided(h(low, low), c), c)));
     ++degree_[high];
+    taken_.push_back(c);
   }
 
-  /// H is a constant of signature (1, 1): its eigenvectors turn it into J.
-  SpinorMatrix<C> normalized_balanced() && {
-    const C k00 = h_.h00[0], k01 = h_.h01[0], k11 = h_.h11[0], half(0.5);
-    const C mean = (k00 + k11) * half, difference = (k00 - k11) * half;
-    const C spread = root(difference * difference + k01 * conj(k01));
-    const C positive = mean + spread, negative = mean - spread;
-    Vector<C> x = size(positive - k00) >= size(positive - k11)
-                      ? Vector<C>{k01, positive - k00}
-                      : Vector<C>{positive - k11, conj(k01)};
-    const C norm = root(x[0] * conj(x[0]) + x[1] * conj(x[1]));
-    x = {x[0] / norm, x[1] / norm};
-    const Vector<C> y = {-conj(x[1]), conj(x[0])};
-    const C f = root(half / positive), g = root(-half / negative);
-    const C i = imaginary_unit(f);
+  /// How far a real point is from the roots taken: the product of |L|^2 for coordinates of
+  /// length 1.
+  double distance_from_roots(const Point<C>& t) const {
+    const auto square = [](const Point<C>& point) {
+      return point.finite ? std::norm(midpoint(*point.finite)) + 1 : 1;
+    };
+    double result = 1;
+    for (const Point<C>& c : taken_) {
+      result *= std::norm(midpoint(t.value_of(linear_form(c)))) / (square(t) * square(c));
+    }
+    return result;
+  }
+
+  /// So many real points, those farthest from the roots: a choice in doubles.
+  std::vector<Point<C>> points_far_from_roots(int count) const {
+    // Enough to leave a choice.
+    constexpr int kMore = 3;
+    std::vector<Point<C>> points = real_points<C>(count + kMore);
+    const auto end = points.begin() + count;
+    std::partial_sort(points.begin(), end, points.end(), [&](const Point<C>& a, const Point<C>& b) {
+      return distance_from_roots(a) > distance_from_roots(b);
+    });
+    points.erase(end, points.end());
+    return points;
+  }
+
+  /// K = A* H A / (product of L L~ of the roots taken) at a real point.
+  Matrix<C> quotient_at(const Point<C>& t) const {
+    const Matrix<C> a = a_at(t), h = value_of(h_, t);
+    C divisor(1.0);
+    for (const Point<C>& c : taken_) {
+      const C linear = t.value_of(linear_form(c));
+      divisor *= real_part(linear * conj(linear));
+    }
+    Matrix<C> k;
+    for (int i = 0; i < 2; ++i) {
+      const Vector<C> image = {h[0][0] * a[0][i] + h[0][1] * a[1][i],
+                               h[1][0] * a[0][i] + h[1][1] * a[1][i]};
+      for (int j = 0; j < 2; ++j) {
+        k[j][i] = (conj(a[0][j]) * image[0] + conj(a[1][j]) * image[1]) / divisor;
+      }
+    }
+    return k;
+  }
+
+  /// K is a constant of signature (1, 1): a basis in which it is diagonal turns it into J. Near the
+  /// eigenvectors, chosen in doubles, that costs few digits.
+  SpinorMatrix<C> normalized_balanced() const {
+    const Matrix<C> k = quotient_at(points_far_from_roots(1).front());
+    const Vector<std::complex<double>> unit = eigenvector(k);
+    const Vector<C> x = {C(unit[0]), C(unit[1])}, z = {-conj(x[1]), conj(x[0])};
+    const C xx = real_part(sesquilinear(x, k, x)), xz = sesquilinear(x, k, z);
+    const C ratio = xz / xx;
+    const Vector<C> y = {z[0] - ratio * x[0], z[1] - ratio * x[1]};
+    const C yy = real_part(sesquilinear(z, k, z) - conj(xz) * ratio);
+    const C half(0.5), f = root(half / xx), g = root(-half / yy), i = imaginary_unit(f);
     const Vector<C> p = {x[0] * f + y[0] * g, x[1] * f + y[1] * g};
     const Vector<C> q = {(x[0] * f - y[0] * g) * i, (x[1] * f - y[1] * g) * i};
     SpinorMatrix<C> result;
@@ -294,11 +414,14 @@ class Factorization {
     return result;
   }
 
-  /// H_ll = 0, H_hl is a constant and H_hh a real form, which a real multiple of a_lo removes.
-  SpinorMatrix<C> normalized_unbalanced() && {
+  /// K_ll = 0, K_hl is a constant and K_hh a real form, which a real multiple of a_lo removes.
+  SpinorMatrix<C> normalized_unbalanced() const {
     const int high = hi(), low = lo();
-    const C constant = h(high, low)[0];
-    const Form<C> rho = h(high, high) * (C(-0.5) / constant);
+    const std::vector<Point<C>> points = points_far_from_roots(degree_[high] - degree_[low] + 1);
+    const C constant = quotient_at(points.front())[high][low];
+    std::vector<C> values;
+    for (const Point<C>& t : points) values.push_back(real_part(quotient_at(t)[high][high]));
+    const Form<C> rho = interpolating_form(points, values) * (C(-0.5) / constant);
     const C factor = imaginary_unit(constant) / constant;
     SpinorMatrix<C> result;
     for (int row = 0; row < 2; ++row) {
@@ -312,6 +435,7 @@ class Factorization {
   std::array<std::array<Form<C>, 2>, 2> a_;
   std::array<int, 2> degree_{0, 0};
   HermitianMatrix<C> h_;
+  std::vector<Point<C>> taken_;
 };
 
 }  // namespace spinor
@@ -324,11 +448,15 @@ class Factorization {
 /// and a root that cannot be decided waits for the others.
 template <class C>
 SpinorMatrix<C> spinor_factorization(HermitianMatrix<C> h, const HalfRoots<C>& roots) {
-  using Root = spinor::Root<C>;
-  std::vector<Root> real, complex;
-  for (int i = 0; i < roots.infinite; ++i) real.push_back({std::nullopt, true});
-  for (const C& c : roots.real) real.push_back({c, true});
-  for (const C& c : roots.complex) complex.push_back({c, false});
+  using Root = spinor::Point<C>;
+  std::vector<Root> real(roots.infinite, {std::nullopt, true, 0}), complex;
+  int number = 0;
+  for (const auto& [c, copies] : roots.real) real.insert(real.end(), copies, {c, true, ++number});
+  for (const auto& [c, copies, conjugates] : roots.pairs) {
+    const Root root{c, false, ++number};
+    complex.insert(complex.end(), copies, root);
+    complex.insert(complex.end(), conjugates, conj(root));
+  }
 
   spinor::Factorization<C> factorization(std::move(h));
   const auto take_one = [&](std::vector<Root>& from) {
@@ -343,7 +471,7 @@ SpinorMatrix<C> spinor_factorization(HermitianMatrix<C> h, const HalfRoots<C>& r
     if (take_one(real_first ? real : complex) || take_one(real_first ? complex : real)) continue;
     throw Undecided("the kernel at a root of D");
   }
-  return std::move(factorization).normalized();
+  return factorization.normalized();
 }
 
 }  // namespace pn
