@@ -58,12 +58,12 @@ def rounded(surface):
     )
 
 
-@pytest.mark.parametrize("seed", [0, 2, 10])
+@pytest.mark.parametrize("seed", [0, 2, 7])
 def test_a_distance_that_needs_more_bits_changes_no_other(seed):
     canal = random_canal(seed, 6)
     difficult = cancelling_distance(canal.surface())
     shared = canal.surface()
-    assert shared.offset(difficult).certificate.precision_bits > 128
+    assert shared.offset(difficult).certificate.precision_bits > shared.certificate.precision_bits
     for distance in (0.0, 0.25, difficult, -0.5):
         found, alone = (rounded(s.offset(distance)) for s in (shared, canal.surface()))
         assert found == alone

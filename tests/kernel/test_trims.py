@@ -37,7 +37,7 @@ REGIONS = [
     ("two_sheet_hyperboloid", 3, 1, 2, {"z": (4.5, 5)}),
     ("two_sheet_hyperboloid", 3, 1, 2, {"z": (2, 5), "angle": (-0.5, 2)}),
     ("elliptic_paraboloid", 3, 2, 1, {"z": (-1, 3)}),
-    ("elliptic_paraboloid", 3, 2, 1, {"z": (0.5, 2.5)}),
+    ("elliptic_paraboloid", 3, 2, 1, {"z": (0.5, 2.4)}),
     ("elliptic_paraboloid", 3, 2, 1, {"x": (-1, 1.5), "y": (-1, 1)}),
     ("hyperbolic_paraboloid", 3, 2, 1, {"x": (-1, 1.5), "y": (-1, 1)}),
     ("hyperbolic_paraboloid", 3, 2, 1, {"x": (-1, 1), "y": (-1, 1), "angle": (0, 1)}),
