@@ -4,7 +4,7 @@
 #include <tbb/global_control.h>
 
 #include "canal_cases.hpp"
-#include "memory.hpp"
+#include "measured_offsets.hpp"
 
 namespace pn::bench {
 namespace {
@@ -26,22 +26,36 @@ void another_distance(benchmark::State& state) {
 }
 BENCHMARK(another_distance)->ArgName("degree")->Arg(3)->Arg(6)->Unit(benchmark::kMicrosecond);
 
-/// Many spans on some threads; memory per span that the surface keeps, and that its making needs at
-/// the peak.
+/// One span by the degree of its spine and radius.
+void by_degree(benchmark::State& state) {
+  const BezierCanal canal = helical_horn(static_cast<int>(state.range(0)));
+  measure(state, [&] { return offsets_of(surface_of(canal), {0}); });
+}
+BENCHMARK(by_degree)->ArgName("spine")->DenseRange(2, 8)->Unit(benchmark::kMillisecond);
+
+/// One cubic span at so many distances.
+void by_distances(benchmark::State& state) {
+  const BezierCanal canal = helical_horn(3);
+  std::vector<double> distances;
+  for (int i = 0; i < state.range(0); ++i) distances.push_back(i / 1024.0);
+  measure(state, [&] { return offsets_of(surface_of(canal), distances); });
+}
+BENCHMARK(by_distances)
+    ->ArgName("distances")
+    ->Arg(1)
+    ->Arg(3)
+    ->Arg(10)
+    ->Arg(30)
+    ->Arg(100)
+    ->Unit(benchmark::kMillisecond);
+
+/// Many spans on some threads.
 void many_spans(benchmark::State& state) {
   const int spans = static_cast<int>(state.range(0));
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(state.range(1)));
   const SplineCanal canal = spring(spans);
-  for (auto _ : state) benchmark::DoNotOptimize(surface_of(canal).faces(Lines::kEven));
-
-  const std::size_t before = allocated_bytes();
-  const PeakMemory peak;
-  const PNSurface surface = surface_of(canal);
-  const std::vector<BSplineSurface> faces = surface.faces(Lines::kEven);
-  state.counters["peak_bytes_per_span"] = static_cast<double>(peak.bytes()) / spans;
-  state.counters["kept_bytes_per_span"] = static_cast<double>(allocated_bytes() - before) / spans;
-  state.counters["poles"] = static_cast<double>(surface.certificate(Lines::kEven).poles);
+  measure(state, [&] { return offsets_of(surface_of(canal), {0}); });
 }
 BENCHMARK(many_spans)
     ->ArgNames({"spans", "threads"})

@@ -44,27 +44,32 @@ def plotted(file, title, x_label, y_label, draw):
     figure.savefig(file, metadata={"Date": None}, bbox_inches="tight")
 
 
-def growth(entries, key):
-    """(spans, entry) of the long canal surface, by threads."""
+def growth(entries, family, argument, value):
+    """(argument, value of the entry) for a family on one thread, and on others if it was run there:
+    by the number of threads."""
     by_threads = {}
-    for name, entry in below(entries, "many_spans").items():
+    for name, entry in below(entries, family).items():
         given = arguments(name)
-        by_threads.setdefault(given["threads"], []).append((given["spans"], key(entry)))
+        by_threads.setdefault(given.get("threads", 1), []).append((given[argument], value(entry)))
     return {threads: sorted(points) for threads, points in by_threads.items()}
 
 
-def draw_times(entries, axes):
-    for threads, points in growth(entries, milliseconds).items():
-        spans, times = zip(*points)
-        axes.plot(spans, times, marker="o", label=f"{threads} thread{'s' if threads > 1 else ''}")
+def draw_times(family, argument):
+    def draw(entries, axes):
+        for threads, points in growth(entries, family, argument, milliseconds).items():
+            label = f"{threads} thread{'s' if threads > 1 else ''}"
+            axes.plot(*zip(*points), marker="o", label=label)
+
+    return draw
 
 
-def draw_memory(entries, axes):
-    for key, label in (("kept_bytes_per_span", "kept"), ("peak_bytes_per_span", "at most")):
-        points = growth(entries, lambda entry: entry[key])[1]
-        axes.plot(
-            [n for n, _ in points], [n * size / 2**20 for n, size in points], marker="o", label=label
-        )
+def draw_memory(family, argument):
+    def draw(entries, axes):
+        for key, label in (("kept_bytes", "kept"), ("peak_bytes", "at most")):
+            points = growth(entries, family, argument, lambda entry: entry[key] / 2**20)[1]
+            axes.plot(*zip(*points), marker="o", label=label)
+
+    return draw
 
 
 def draw_deviations(entries, axes):
@@ -87,10 +92,26 @@ def main(results_path, page_path):
     images = page.parent / "images"
     images.mkdir(exist_ok=True)
     plots = [
-        ("time", "Time of a long canal surface", "spans", "ms", draw_times),
-        ("memory", "Memory of a long canal surface", "spans", "MiB", draw_memory),
-        ("deviation", "All cases and ways", "poles", "true deviation, mm", draw_deviations),
-    ]
+        (
+            f"{name}_{quantity}",
+            f"{quantity.capitalize()} of {what}",
+            axis,
+            unit,
+            draw(family, argument),
+        )
+        for name, what, axis, family, argument in (
+            ("spans", "a long canal surface", "spans", "many_spans", "spans"),
+            ("degree", "a canal surface of one span", "degree of the spine", "by_degree", "spine"),
+            (
+                "distances",
+                "offsets of a cubic canal surface",
+                "distances",
+                "by_distances",
+                "distances",
+            ),
+        )
+        for quantity, unit, draw in (("time", "ms", draw_times), ("memory", "MiB", draw_memory))
+    ] + [("deviation", "All cases and ways", "poles", "true deviation, mm", draw_deviations)]
     parts = [INTRODUCTION.format(machine=machine(results))]
     for name, title, x_label, y_label, draw in plots:
         file = images / f"benchmark_{name}.svg"

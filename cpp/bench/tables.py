@@ -98,8 +98,8 @@ def many_spans(entries, family, title):
                 f"{two:.1f}",
                 f"{one / two:.2f}",
                 f"{1e3 * one / spans:.0f}",
-                f"{on[1]['kept_bytes_per_span'] / 1024:.1f}",
-                f"{on[1]['peak_bytes_per_span'] / 1024:.1f}",
+                f"{on[1]['kept_bytes'] / spans / 1024:.1f}",
+                f"{on[1]['peak_bytes'] / spans / 1024:.1f}",
                 f"{on[1]['poles'] / spans:.1f}",
             ]
         )
