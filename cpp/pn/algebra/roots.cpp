@@ -85,6 +85,9 @@ RootSet sorted_out(AcbVector& roots, slong n, int multiplicity, long precision) 
   return set;
 }
 
+/// Bounds in doubles are rounded a few times.
+constexpr double kUpwards = 1 + 1e-15;
+
 RealBall at_precision(const RealBall& x, long bits) { return x.at_precision(bits); }
 ComplexBall at_precision(const ComplexBall& z, long bits) {
   return {z.real().at_precision(bits), z.imag().at_precision(bits)};
@@ -93,8 +96,6 @@ RealBall centre(const RealBall& x) { return x.centre(); }
 ComplexBall centre(const ComplexBall& z) { return {z.real().centre(), z.imag().centre()}; }
 double magnitude_upper(const RealBall& x) { return x.magnitude_upper(); }
 double magnitude_upper(const ComplexBall& z) {
-  // The bound and the root round by a few units.
-  constexpr double kUpwards = 1 + 1e-15;
   return std::hypot(z.real().magnitude_upper(), z.imag().magnitude_upper()) * kUpwards;
 }
 
@@ -159,8 +160,8 @@ class RefinedPolynomial {
     Inclusion<Ball> best{z, INFINITY};
     for (;;) {
       const Ball step = value_(z) / short_form(z).slope(z);
-      // The nearest root is at most n |p / p'| away, which is rounded twice here.
-      const double radius = real_.degree() * magnitude_upper(step) * (1 + 1e-15);
+      // The nearest root is at most n |p / p'| away.
+      const double radius = real_.degree() * magnitude_upper(step) * kUpwards;
       const bool improves = radius < best.radius * kProgress;
       if (radius < best.radius) best = {z, radius};
       if (!improves || radius <= sufficient) return best;
@@ -182,60 +183,86 @@ class RefinedPolynomial {
   Form<ComplexBall> complex_;
 };
 
-RealBall enclosed(const RealBall& centre, double radius, long precision) {
-  return centre.at_precision(precision) + RealBall::between(-radius, radius, precision);
-}
-
-/// Every two of these are apart.
-bool are_pairwise_apart(const std::vector<ComplexBall>& balls) {
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if ((balls[i] - balls[j]).contains_zero()) return false;
-    }
-  }
-  return true;
-}
-
-/// The roots of p if Newton's iteration, from double-precision starting values, leads to n disjoint
-/// and narrow inclusions.
+/// Disks with at least one root each, and what they prove of the roots.
 ///
 /// A polynomial of degree n has a root at most n |p(z) / p'(z)| away from z (E. Laguerre; P.
 /// Henrici, Applied and Computational Complex Analysis I, 1974, 6.4). So n disjoint disks have one
 /// root each, and if p is real, the root of a disk around a real point is real.
+class Disks {
+ public:
+  Disks(const RationalPolynomial& p, long precision)
+      : polynomial_(p, precision), degree_(p.degree()), precision_(precision) {}
+
+  /// The disks to which Newton's iteration leads from a real point, or from one and its conjugate.
+  void add_real(double start) {
+    const auto [centre, radius] = polynomial_.inclusion(RealBall(start));
+    const RealBall root = enclosed(centre, radius);
+    roots_.real.push_back({root, 1});
+    disks_.push_back({root, enclosed(0, radius)});
+    measure(std::abs(start), radius);
+  }
+  void add_pair(const std::complex<double>& start) {
+    const auto [centre, radius] = polynomial_.inclusion(ComplexBall(start));
+    const ComplexBall root(enclosed(centre.real(), radius), enclosed(centre.imag(), radius));
+    roots_.pairs.push_back({root, 1});
+    disks_.insert(disks_.end(), {root, conj(root)});
+    measure(std::abs(start), radius);
+  }
+
+  /// All roots, if the disks are as many, disjoint and narrow.
+  std::optional<RootSet> roots() const {
+    const bool are_all = static_cast<int>(disks_.size()) == degree_;
+    if (!are_all || !are_narrow() || !are_disjoint()) return std::nullopt;
+    return roots_;
+  }
+
+ private:
+  RealBall enclosed(const RealBall& centre, double radius) const {
+    return centre.at_precision(precision_) + RealBall::between(-radius, radius, precision_);
+  }
+
+  void measure(double magnitude, double radius) {
+    size_ = std::max(size_, magnitude);
+    widest_ = std::max(widest_, radius);
+  }
+
+  /// Half the bits of the precision are less than the conditioning of the roots costs, and more
+  /// than is left where the iteration was still under way.
+  bool are_narrow() const {
+    return widest_ <= std::ldexp(size_, static_cast<int>(-precision_ / 2));
+  }
+
+  bool are_disjoint() const {
+    for (std::size_t i = 0; i < disks_.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if ((disks_[i] - disks_[j]).contains_zero()) return false;
+      }
+    }
+    return true;
+  }
+
+  RefinedPolynomial polynomial_;
+  int degree_;
+  long precision_;
+  RootSet roots_;
+  std::vector<ComplexBall> disks_;
+  double size_ = 0, widest_ = 0;
+};
+
+/// The roots of p if Newton's iteration from double-precision starting values proves them.
 std::optional<RootSet> isolated_from_approximations(const RationalPolynomial& p, long precision) {
   // Starting values this near to the real line are taken for real.
   constexpr double kNearlyReal = 1e-10;
-  const RefinedPolynomial polynomial(p, precision);
-  RootSet set;
-  std::vector<ComplexBall> disks;
-  double size = 0, widest = 0;
-  const auto include = [&](double magnitude, double radius) {
-    size = std::max(size, magnitude);
-    widest = std::max(widest, radius);
-  };
+  Disks disks(p, precision);
   for (const std::complex<double>& start : approximate_roots(p)) {
     if (!std::isfinite(start.real()) || !std::isfinite(start.imag())) return std::nullopt;
     if (std::abs(start.imag()) <= kNearlyReal * std::abs(start.real())) {
-      const auto [centre, radius] = polynomial.inclusion(RealBall(start.real()));
-      include(std::abs(start), radius);
-      set.real.push_back({enclosed(centre, radius, precision), 1});
-      disks.push_back({enclosed(centre, radius, precision), enclosed(0, radius, precision)});
+      disks.add_real(start.real());
     } else if (start.imag() > 0) {
-      const auto [centre, radius] = polynomial.inclusion(ComplexBall(start));
-      include(std::abs(start), radius);
-      const ComplexBall disk(enclosed(centre.real(), radius, precision),
-                             enclosed(centre.imag(), radius, precision));
-      set.pairs.push_back({disk, 1});
-      disks.push_back(disk);
-      disks.push_back(conj(disk));
+      disks.add_pair(start);
     }
   }
-  // Half the bits of the precision are less than the conditioning of the roots costs, and more than
-  // is left where the iteration was still under way.
-  const bool are_narrow = widest <= std::ldexp(size, static_cast<int>(-precision / 2));
-  const bool are_all = static_cast<int>(disks.size()) == p.degree();
-  if (!are_narrow || !are_all || !are_pairwise_apart(disks)) return std::nullopt;
-  return set;
+  return disks.roots();
 }
 
 RootSet isolated_squarefree(const fmpz_poly_struct* p, int multiplicity, long precision) {
