@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "pn/algebra/bernstein.hpp"
+#include "pn/algebra/memo.hpp"
 #include "pn/algebra/parallel.hpp"
 #include "pn/algebra/roots.hpp"
 #include "pn/bezier/knot_insertion.hpp"
@@ -132,14 +134,6 @@ std::vector<RowPlace> control_rows(const Run& run, int spans) {
   return rows;
 }
 
-std::vector<ColumnWeights> column_weights(const CircleColumns& circle, long precision) {
-  std::vector<ColumnWeights> columns;
-  for (const auto& coefficients : circle.coefficients) {
-    columns.push_back(in_balls(coefficients, precision));
-  }
-  return columns;
-}
-
 /// The rows over so many equal spans instead of one, with simple knots between them.
 SegmentRows with_inner_knots(SegmentRows rows, const std::vector<Rational>& knots, long precision) {
   const auto refine = [&](ComponentRows& component) {
@@ -194,21 +188,27 @@ Rows rows_of_all(const std::vector<const SectionSegment*>& segments, int spans, 
   return strip;
 }
 
-SegmentFace face_net(const Rows& strip, const Run& run, const CircleColumns& circle, int arcs) {
+/// The columns of a face, and their weights in balls.
+struct FaceColumns {
+  CircleColumns circle;
+  std::vector<ColumnWeights> weights;
+};
+
+SegmentFace face_net(const Rows& strip, const Run& run, const FaceColumns& columns, int arcs) {
+  const auto& [circle, weights] = columns;
   SegmentFace face;
   face.frame = frame_of(strip.segments, run, strip.spans, circle);
   face.stands_still = strip.segments[run.first]->stands_still;
   face.place = {arcs, run.first, run.last};
-  const std::vector<ColumnWeights> columns = column_weights(circle, strip.precision);
   const std::vector<RowPlace> places = control_rows(run, strip.spans);
   const bool closed = circle.coefficients.front() == circle.coefficients.back();
-  const std::size_t count = columns.size();
+  const std::size_t count = weights.size();
   face.poles.resize(places.size() * count);
   for_each_index_in_blocks(places.size(), kRowsPerTask, [&](std::size_t i) {
     NetPole* const row = &face.poles[i * count];
     for (std::size_t j = 0; j < count; ++j) {
       const bool repeats = closed && j + 1 == count;
-      row[j] = repeats ? row[0] : pole_of(strip.rows[places[i].segment], places[i].row, columns[j]);
+      row[j] = repeats ? row[0] : pole_of(strip.rows[places[i].segment], places[i].row, weights[j]);
     }
   });
   return face;
@@ -292,6 +292,21 @@ std::vector<CircleColumns> columns_of(Around around, Lines lines, int factor, in
   throw std::logic_error("a part of the circle without columns");
 }
 
+/// The same with their weights at a precision: constants of the method, found once.
+const std::vector<FaceColumns>& face_columns(Around around, Lines lines, int factor,
+                                             int form_degree, long precision) {
+  static Memo<std::tuple<Around, Lines, int, int, long>, std::vector<FaceColumns>> known;
+  return known({around, lines, factor, form_degree, precision}, [&] {
+    std::vector<FaceColumns> faces;
+    for (CircleColumns& circle : columns_of(around, lines, factor, form_degree)) {
+      std::vector<ColumnWeights> weights;
+      for (const auto& column : circle.coefficients) weights.push_back(in_balls(column, precision));
+      faces.push_back({std::move(circle), std::move(weights)});
+    }
+    return faces;
+  });
+}
+
 /// The arcs of the whole circle to which the second parameter of a face belongs; none for an arc.
 int arcs_of(Around around, int factor) {
   if (around == Around::kArc) return 0;
@@ -305,7 +320,7 @@ std::vector<std::vector<SegmentFace>> face_nets(const Rows& strip, Lines lines, 
   for_each_index(faces.size(), [&](std::size_t i) {
     const Run& run = strip.runs[i];
     const Around around = strip.segments[run.first]->around;
-    const auto columns = columns_of(around, lines, factor, form_degree);
+    const auto& columns = face_columns(around, lines, factor, form_degree, strip.precision);
     faces[i].resize(columns.size());
     for_each_index(columns.size(), [&](std::size_t j) {
       faces[i][j] = face_net(strip, run, columns[j], arcs_of(around, factor));
