@@ -12,6 +12,7 @@ import FreeCADGui
 import main_window
 import Part
 from FreeCAD import Vector
+from creation import CreationTests
 from support import GuiTest, input_of, make_wall, poles, wait_for_preview
 
 from pnsurfaces import kernel
@@ -24,41 +25,17 @@ SQUARE = [(0, 0, 0), (80, 0, 0), (80, 80, 0), (0, 80, 0), (0, 0, 0)]
 TOO_WIDE = "500"
 
 
-class CreationTest(GuiTest):
-    def test_ok_is_one_undo_step(self):
-        feature, panel = self.open_panel(self.spline, "Edge1")
+class CreationTest(CreationTests, GuiTest):
+    undo_name = "Canal surface"
+    typed = {"EndRadius": "9.5", "Distance": "-1.25"}
+    picture = "canal_surface"
+
+    def open(self):
+        return self.open_panel(self.spline, "Edge1")
+
+    def enter(self, panel):
         input_of(panel, "RadiusLaw").setCurrentText("Linear")
-        main_window.type_text(input_of(panel, "EndRadius"), "9.5")
-        main_window.type_text(input_of(panel, "Distance"), "-1.25")
-        main_window.confirm(panel)
-        self.assert_nothing_open()
-        self.assertEqual(self.document.UndoNames, ["Canal surface"])
-        self.assertTrue(feature.isValid())
-        self.assertNotIn("Touched", feature.State)
-        self.assertEqual(feature.EndRadius.Value, 9.5)
-        self.assertEqual(feature.Distance.Value, -1.25)
-        made = poles(feature)
-        self.document.undo()
-        self.assertIsNone(self.document.getObject("CanalSurface"))
-        self.document.redo()
-        self.assertEqual(poles(self.document.CanalSurface), made)
-
-    def test_cancel_leaves_nothing(self):
-        _, panel = self.open_panel(self.spline, "Edge1")
-        main_window.type_text(input_of(panel, "Distance"), "2")
-        wait_for_preview()
-        main_window.cancel(panel)
-        self.assert_nothing_open()
-        self.assertEqual(self.document.Objects, [self.line, self.spline])
-        self.assertEqual(self.document.UndoCount, 0)
-
-    def test_cancel_before_the_preview(self):
-        _, panel = self.open_panel(self.spline, "Edge1")
-        main_window.type_text(input_of(panel, "Distance"), "2")
-        main_window.cancel(panel)
-        wait_for_preview()
-        self.assert_nothing_open()
-        self.assertEqual(self.document.Objects, [self.line, self.spline])
+        super().enter(panel)
 
     def test_closed_panel_is_forgotten(self):
         _, panel = self.open_panel(self.spline, "Edge1")

@@ -5,6 +5,7 @@ import FreeCADGui
 import main_window
 import Part
 from FreeCAD import Vector
+from creation import CreationTests
 from support import GuiTest, input_of, poles, wait_for_preview
 
 COMMAND = "PNSurfaces_MirrorWavefront"
@@ -31,31 +32,14 @@ class MirrorTest(GuiTest):
         return self.run_creation(COMMAND)
 
 
-class CreationTest(MirrorTest):
-    def test_ok_is_one_undo_step(self):
-        since = len(main_window.recorded_commands())
-        feature, panel = self.open()
-        self.assertEqual(feature.Face[0], self.mirror)
-        self.assertTrue(feature.isValid(), feature.getStatusString())
-        main_window.type_text(input_of(panel, "Distance"), "150")
-        wait_for_preview()
-        main_window.screenshot("mirror_wavefront")
-        main_window.confirm(panel)
-        self.assert_nothing_open()
-        self.assertEqual(self.document.UndoNames, ["Mirror wavefront"])
-        made = poles(feature)
-        self.document.undo()
-        self.assertIsNone(self.document.getObject("MirrorWavefront"))
-        self.document.redo()
-        self.assertEqual(poles(self.document.MirrorWavefront), made)
-        self.assert_recorded(since, self.document.MirrorWavefront, made)
+class CreationTest(CreationTests, MirrorTest):
+    undo_name = "Mirror wavefront"
+    typed = {"Distance": "150"}
+    picture = "mirror_wavefront"
 
-    def test_cancel_leaves_nothing(self):
-        objects = self.document.Objects
-        _, panel = self.open()
-        main_window.cancel(panel)
-        self.assert_nothing_open()
-        self.assertEqual(self.document.Objects, objects)
+    def test_the_selected_face_is_the_mirror(self):
+        feature, _ = self.open()
+        self.assertEqual(feature.Face, (self.mirror, ["Face1"]))
 
     def test_without_a_face_it_asks_for_one(self):
         FreeCADGui.Selection.clearSelection()

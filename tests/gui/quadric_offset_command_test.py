@@ -5,6 +5,7 @@ import FreeCADGui
 import main_window
 import Part
 from FreeCAD import Matrix
+from creation import CreationTests
 from support import GuiTest, input_of, make_wall, poles, wait_for_preview
 
 from pnsurfaces.quadric_offset import KINDS
@@ -30,23 +31,13 @@ class QuadricOffsetTest(GuiTest):
         return egg
 
 
-class CreationTest(QuadricOffsetTest):
-    def test_ok_is_one_undo_step(self):
-        feature, panel = self.open_quadric_panel()
-        main_window.type_text(input_of(panel, "HalfAxisA"), "50")
-        main_window.type_text(input_of(panel, "Distance"), "-2.5")
-        wait_for_preview()
-        main_window.screenshot("quadric_offset")
-        main_window.confirm(panel)
-        self.assert_nothing_open()
-        self.assertEqual(self.document.UndoNames, ["Quadric offset"])
-        self.assertTrue(feature.isValid(), feature.getStatusString())
-        self.assertEqual((feature.HalfAxisA.Value, feature.Distance.Value), (50, -2.5))
-        made = poles(feature)
-        self.document.undo()
-        self.assertIsNone(self.document.getObject("QuadricOffset"))
-        self.document.redo()
-        self.assertEqual(poles(self.document.QuadricOffset), made)
+class CreationTest(CreationTests, QuadricOffsetTest):
+    undo_name = "Quadric offset"
+    typed = {"HalfAxisA": "50", "Distance": "-2.5"}
+    picture = "quadric_offset"
+
+    def open(self):
+        return self.open_quadric_panel()
 
     def test_wall_of_a_sector(self):
         feature, panel = self.open_quadric_panel()
@@ -59,14 +50,6 @@ class CreationTest(QuadricOffsetTest):
         self.assertEqual(input_of(panel, "status").text(), "Valid")
         self.assertEqual(feature.Shape.ShapeType, "Solid")
         main_window.confirm(panel)
-
-    def test_cancel_leaves_nothing(self):
-        objects = self.document.Objects
-        _, panel = self.open_quadric_panel()
-        main_window.cancel(panel)
-        wait_for_preview()
-        self.assert_nothing_open()
-        self.assertEqual(self.document.Objects, objects)
 
     def test_a_selected_face(self):
         self.select(self.egg(), "Face1")

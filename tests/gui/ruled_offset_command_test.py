@@ -5,6 +5,7 @@ import FreeCADGui
 import main_window
 import Part
 from FreeCAD import Vector
+from creation import CreationTests
 from support import GuiTest, input_of, make_wall, poles, wait_for_preview
 
 COMMAND = "PNSurfaces_RuledOffset"
@@ -32,23 +33,17 @@ class RuledOffsetTest(GuiTest):
         return self.open_ruled_panel((self.line, "Edge1"), (self.rail, "Edge1"))
 
 
-class CreationTest(RuledOffsetTest):
-    def test_ok_is_one_undo_step(self):
-        feature, panel = self.open_between_lines()
-        main_window.type_text(input_of(panel, "Distance"), "4.5")
+class CreationTest(CreationTests, RuledOffsetTest):
+    undo_name = "Ruled surface offset"
+    typed = {"Distance": "4.5"}
+    picture = "ruled_offset"
+
+    def open(self):
+        return self.open_between_lines()
+
+    def enter(self, panel):
+        super().enter(panel)
         input_of(panel, "Sides").setCurrentText("Base and offset")
-        wait_for_preview()
-        main_window.screenshot("ruled_offset")
-        main_window.confirm(panel)
-        self.assert_nothing_open()
-        self.assertEqual(self.document.UndoNames, ["Ruled surface offset"])
-        self.assertTrue(feature.isValid(), feature.getStatusString())
-        self.assertEqual(feature.Distance.Value, 4.5)
-        made = poles(feature)
-        self.document.undo()
-        self.assertIsNone(self.document.getObject("RuledOffset"))
-        self.document.redo()
-        self.assertEqual(poles(self.document.RuledOffset), made)
 
     def test_wall_between_splines_of_different_degrees_and_knots(self):
         curve = Part.BSplineCurve()
@@ -63,16 +58,6 @@ class CreationTest(RuledOffsetTest):
         self.assertEqual(input_of(panel, "status").text(), "Valid")
         self.assertEqual(feature.Shape.ShapeType, "Solid")
         main_window.confirm(panel)
-
-    def test_cancel_leaves_nothing(self):
-        objects = self.document.Objects
-        _, panel = self.open_between_lines()
-        main_window.type_text(input_of(panel, "Distance"), "2")
-        main_window.cancel(panel)
-        wait_for_preview()
-        self.assert_nothing_open()
-        self.assertEqual(self.document.Objects, objects)
-        self.assertEqual(self.document.UndoCount, 0)
 
     def test_it_asks_for_curves(self):
         box = self.document.addObject("Part::Box", "Box")

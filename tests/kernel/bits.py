@@ -25,9 +25,9 @@ def digest(kind, seed):
     except pn.GeometryError as error:
         return _hash([str(error)])
     for moved in _offsets(surface):
-        entries += [_or_error(_faces, moved, lines) for lines in LINES]
-        entries += [_or_error(part, moved) for part in (_certificate, _points, _shell, _solid)]
-    entries.append(_or_error(_limits, surface))
+        entries += [or_error(faces_of, moved, lines) for lines in LINES]
+        entries += [or_error(part, moved) for part in (_certificate, _points, shell_of, _solid)]
+    entries.append(or_error(limits_of, surface))
     return _hash(entries)
 
 
@@ -35,7 +35,7 @@ def _hash(entries):
     return hashlib.sha256(repr(entries).encode()).hexdigest()
 
 
-def _or_error(part, *arguments):
+def or_error(part, *arguments):
     """What is refused, or no solid, is part of the result: in the same words."""
     try:
         return part(*arguments)
@@ -54,7 +54,7 @@ def _bits(array):
     return np.asarray(array, dtype=float).tobytes()
 
 
-def _faces(surface, lines):
+def faces_of(surface, lines):
     return [
         [_bits(getattr(face, name)) for name in FACE_ARRAYS] + [_loops(face)]
         for face in surface.bsplines(lines)
@@ -70,7 +70,7 @@ def _certificate(surface):
     return [getattr(certificate, name) for name in CERTIFICATE]
 
 
-def _limits(surface):
+def limits_of(surface):
     return surface.regular_range
 
 
@@ -80,7 +80,7 @@ def _points(surface):
     return [_bits(part) for part in surface.evaluate(t, v)]
 
 
-def _shell(surface):
+def shell_of(surface):
     return pnocct.shell(surface.bsplines())
 
 

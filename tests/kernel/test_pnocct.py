@@ -324,6 +324,7 @@ def test_read_only_folder_leaves_the_old_file():
         with without_privileges(), pytest.raises(PermissionError):
             pnocct.write_step(path, [shell], ["x"])
         assert path.read_text() == "old"
+        assert [file.name for file in path.parent.iterdir()] == ["x.step"]
         path.parent.chmod(0o755)
 
 

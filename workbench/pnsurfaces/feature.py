@@ -342,7 +342,8 @@ class FeatureBase:
     def onDocumentRestored(self, obj):
         """Adds the properties that the saving program did not know, and the digits it cut.
 
-        What a newer program saved is left as it is: its properties may mean something else.
+        A shape that a damaged file has lost is computed anew. What a newer program saved is left as
+        it is: its properties may mean something else.
         """
         _restore_view_provider(obj)
         if obj.SchemaVersion > self.schema_version:
@@ -351,7 +352,10 @@ class FeatureBase:
         self._add_missing_properties(obj)
         if obj.Deviation:
             obj.DeviationBound = _deviation_of(obj.Deviation)
-        self._restore_digits(obj)
+        if obj.Poles and obj.Shape.isNull():
+            self._restore_shape(obj)
+        else:
+            self._restore_digits(obj)
 
     def _require_known_schema(self, obj):
         if obj.SchemaVersion > self.schema_version:
@@ -388,6 +392,24 @@ class FeatureBase:
         if 0 < storage_loss(own_shape(obj), exact) <= STORED_RESOLUTION:
             exact.Placement = obj.Placement
             obj.Shape = exact
+            obj.purgeTouched()
+
+    def _restore_shape(self, obj):
+        """Computes a shape that was there when the results were saved, or has the status say why not.
+
+        FreeCAD opens a file without its end, leaves out what it had to read from there, and calls
+        the rest valid.
+        """
+        message = f"{obj.Label}: The file has lost the shape, which is computed anew.\n"
+        FreeCAD.Console.PrintWarning(message)
+        placement = obj.Placement
+        try:
+            self.execute(obj)
+        except Exception:
+            obj.touch()  # The next recompute says why in the tree, too.
+        else:
+            # Outside of a recompute FreeCAD takes the placement of the shape.
+            obj.Placement = placement
             obj.purgeTouched()
 
     def __getstate__(self):
