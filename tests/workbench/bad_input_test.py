@@ -137,9 +137,17 @@ class Circles(DocumentTest):
         self.assertEqual(shape_data(first.Shape), good)
 
 
+def numbers(data):
+    """All numbers of nested sequences, in their order."""
+    if isinstance(data, (int, float)):
+        return [data]
+    return [number for part in data for number in numbers(part)]
+
+
 class OldDocuments(DocumentTest):
     def test_schema_1(self):
-        """It keeps its shape, gets the new choices, and computes as before."""
+        """It keeps its shape, gets the new choices, and computes as before, up to the rounding with
+        which lines around are chosen."""
         document = FreeCAD.openDocument(str(DOCUMENTS / "canal_surface_schema_1.FCStd"))
         pipe = document.Pipe
         self.assertEqual((pipe.SchemaVersion, pipe.RadiusLaw), (2, "Values at vertices"))
@@ -149,7 +157,8 @@ class OldDocuments(DocumentTest):
         pipe.touch()
         document.recompute()
         self.assert_valid(pipe)
-        self.assertEqual(shape_data(pipe.Shape), stored)
+        for number, before in zip(numbers(shape_data(pipe.Shape)), numbers(stored), strict=True):
+            self.assertLessEqual(abs(number - before), 1e-14 * max(1, abs(before)))
         pipe.RadiusLaw = "Expression"
         pipe.RadiusExpression = "2 mm + 1 mm * s"
         document.recompute()
