@@ -400,10 +400,9 @@ class ArbVector {
   std::vector<arb_struct> numbers_;
 };
 
-template <class Ball>
-long precision_of(const std::vector<Ball>& balls) {
+long precision_of(const std::vector<RealBall>& balls) {
   long precision = RealBall::kFloor;
-  for (const Ball& ball : balls) precision = std::max(precision, ball.precision());
+  for (const RealBall& ball : balls) precision = std::max(precision, ball.precision());
   return precision;
 }
 

@@ -25,8 +25,8 @@
 // lo the other. One step per root c of the chosen half of D: L = t - c (or s at infinity), and A
 // changes so that A* H A becomes divisible by L L~, where ~ conjugates coefficients. For that a
 // step asks for v, which spans the kernel of A* H A over what it is divisible by already, at c. If
-// H(c) w = 0, then v = adj(A(c)) w at the first visit of c: so nothing is divided, which in balls
-// would cost some ten bits a step. Only a root that comes again needs the quotient.
+// H(c) w = 0, then v = adj(A(c)) w at the first visit of c. So no polynomial is divided, which
+// takes more work and widens balls; only a root that comes again needs the quotient.
 #pragma once
 
 #include <algorithm>
