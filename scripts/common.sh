@@ -4,6 +4,8 @@ root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 build="$root/build"
 python=/usr/bin/python3
 export PYTHONDONTWRITEBYTECODE=1
+# What the compiler cache holds serves every copy of the project, with precompiled headers, too.
+export CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
 
 # Configures a preset of CMakePresets.json in folder $2, once, and builds the targets that follow.
 build_preset() {

@@ -7,6 +7,8 @@ std::string to_string(ErrorCode code) {
   switch (code) {
     case ErrorCode::kNotFinite:
       return "not_finite";
+    case ErrorCode::kOutOfRange:
+      return "out_of_range";
     case ErrorCode::kWrongShape:
       return "wrong_shape";
     case ErrorCode::kBadKnots:

@@ -9,6 +9,7 @@ namespace pn {
 
 enum class ErrorCode {
   kNotFinite,           ///< a number is NaN or infinite
+  kOutOfRange,          ///< a number is neither zero nor of a size between 1e-100 and 1e+100
   kWrongShape,          ///< arrays of the wrong size, too few poles, a degree below 1
   kBadKnots,            ///< knots not increasing, multiplicities that do not fit
   kNotATriangulation,   ///< triangles that run clockwise, overlap, or meet in parts of edges

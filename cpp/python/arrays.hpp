@@ -5,7 +5,6 @@
 #include <pybind11/numpy.h>
 
 #include <array>
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/rational_polynomial.hpp"
 #include "pn/geometry_error.hpp"
+#include "pn/input_numbers.hpp"
 
 using Array = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
 
@@ -57,10 +57,7 @@ std::array<std::array<pn::RationalPolynomial, Columns>, Rows> polynomials_of(con
       for (pybind11::ssize_t k = 0; k < array.shape(0); ++k) {
         const double x =
             entries(k, static_cast<pybind11::ssize_t>(i), static_cast<pybind11::ssize_t>(j));
-        if (!std::isfinite(x)) {
-          throw pn::GeometryError(pn::ErrorCode::kNotFinite,
-                                  std::string("A number of the ") + name + " is not finite.");
-        }
+        pn::require_input_number(x, std::string("A number of the ") + name);
         bernstein.push_back(pn::Rational::exactly(x));
       }
       result[i][j] = pn::RationalPolynomial(pn::from_bernstein(std::move(bernstein)));

@@ -5,7 +5,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "arrays.hpp"
 #include "pn/bezier/pn_surface.hpp"
 #include "pn/bezier/quadratic_cone_source.hpp"
+#include "pn/input_numbers.hpp"
 
 namespace py = pybind11;
 
@@ -29,13 +29,10 @@ std::optional<pn::ContactArc> arc_of(const std::optional<Array>& array) {
   if (array->ndim() != 2 || array->shape(0) != 3 || array->shape(1) != 3) {
     throw wrong_shape("The arc must be an array of shape (3, 3).");
   }
-  if (!std::all_of(array->data(), array->data() + array->size(),
-                   [](double x) { return std::isfinite(x); })) {
-    throw pn::GeometryError(pn::ErrorCode::kNotFinite, "A number of the arc is not finite.");
-  }
   pn::ContactArc arc;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t c = 0; c < 3; ++c) arc[i][c] = array->data()[3 * i + c];
+    pn::require_input_numbers(arc[i], "A number of the arc");
   }
   return arc;
 }

@@ -4,12 +4,12 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <cmath>
 #include <memory>
 
 #include "pn/bezier/pn_surface.hpp"
 #include "pn/bezier/rational_source.hpp"
 #include "pn/geometry_error.hpp"
+#include "pn/input_numbers.hpp"
 #include "pn/isotropic/rational_envelope.hpp"
 #include "pn/isotropic/supported_fibration.hpp"
 #include "rational_functions.hpp"
@@ -59,9 +59,7 @@ pn::RationalSections part_over(const pn::OrientedSurface& sheet,
   std::array<pn::Rational, 2> low, high;
   for (std::size_t i = 0; i < 2; ++i) {
     const auto [from, to] = bounds[i];
-    if (!std::isfinite(from) || !std::isfinite(to)) {
-      throw pn::GeometryError(pn::ErrorCode::kNotFinite, "A bound is not a finite number.");
-    }
+    pn::require_input_numbers(std::array{from, to}, "A bound");
     if (from >= to) {
       throw pn::GeometryError(pn::ErrorCode::kBadBounds, "The bounds of the parameters are empty.");
     }

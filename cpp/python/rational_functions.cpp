@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "rational_functions.hpp"
 
-#include <cmath>
-
 #include "pn/geometry_error.hpp"
+#include "pn/input_numbers.hpp"
 
 namespace {
 
@@ -22,9 +21,7 @@ pn::BivariatePolynomial polynomial_of(const Coefficients& coefficients) {
     rows.emplace_back();
     for (pybind11::ssize_t j = 0; j < coefficients.shape(1); ++j) {
       const double value = coefficients.at(i, j);
-      if (!std::isfinite(value)) {
-        throw pn::GeometryError(pn::ErrorCode::kNotFinite, "A coefficient is not finite.");
-      }
+      pn::require_input_number(value, "A coefficient");
       rows.back().push_back(pn::Rational::exactly(value));
     }
   }

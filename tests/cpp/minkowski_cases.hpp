@@ -4,8 +4,6 @@
 #pragma once
 
 #include <array>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <random>
 
 #include "expression.hpp"
@@ -13,12 +11,12 @@
 #include "pn/minkowski/affine_class.hpp"
 #include "pn/minkowski/laguerre_map.hpp"
 #include "pn/minkowski/line_coordinates.hpp"
+#include "test_data.hpp"
 
 namespace pn::test {
 
 inline const nlohmann::json& minkowski_cases() {
-  static const nlohmann::json cases =
-      nlohmann::json::parse(std::ifstream(PN_TEST_DATA "/minkowski_space.json"));
+  static const nlohmann::json cases = test_data("minkowski_space.json");
   return cases;
 }
 

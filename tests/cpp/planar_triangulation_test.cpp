@@ -69,7 +69,7 @@ TEST_CASE("A corner on the edge of another triangle is refused", "[planar_triang
 TEST_CASE("Numbers that are no points, and points that are no numbers", "[planar_triangulation]") {
   check_refused(kSquare, {}, "wrong_shape", "triangle at least");
   check_refused(kSquare, {{0, 1, 7}}, "wrong_shape", "the corner 7");
-  check_refused({{0, 0}, {1, NAN}, {0, 1}}, {{0, 1, 2}}, "not_finite", "not finite");
+  check_refused({{0, 0}, {1, NAN}, {0, 1}}, {{0, 1, 2}}, "not_finite", "not a finite number");
 }
 
 TEST_CASE("Whether three points lie on a line is decided over Q", "[planar_triangulation]") {

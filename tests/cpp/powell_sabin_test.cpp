@@ -193,7 +193,7 @@ TEST_CASE("Numbers that are not finite are refused", "[powell_sabin]") {
     derivative.spheres[1].derivatives[1][0] = bad;
     parameter.spheres[0].parameter[1] = bad;
     for (const auto& input : {sphere, derivative, parameter}) {
-      CHECK(refusal(input, ErrorCode::kNotFinite).find("not finite") != std::string::npos);
+      CHECK(refusal(input, ErrorCode::kNotFinite).find("not a finite number") != std::string::npos);
     }
   }
 }

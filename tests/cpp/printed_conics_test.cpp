@@ -4,8 +4,6 @@
 // data/conics.json has them with their source, and with misprints corrected; what is printed
 // wrongly is there too and must fail.
 #include <catch2/catch.hpp>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "cone_families.hpp"
 #include "enclosures.hpp"
@@ -16,6 +14,7 @@
 #include "pn/conics/polar_frame.hpp"
 #include "pn/conics/quadratic_cone_envelope.hpp"
 #include "pn/conics/stereographic_projection.hpp"
+#include "test_data.hpp"
 
 using namespace pn;
 using namespace pn::test;
@@ -26,7 +25,7 @@ using nlohmann::json;
 using Polynomial = RationalPolynomial;
 
 const json& conic_cases() {
-  static const json cases = json::parse(std::ifstream(PN_TEST_DATA "/conics.json"));
+  static const json cases = test_data("conics.json");
   return cases;
 }
 

@@ -6,13 +6,12 @@
 // number of parameter values of a point, an implicit equation, or both sheets in u and v.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "envelope_sheets.hpp"
 #include "pn/algebra/elimination.hpp"
 #include "pn/isotropic/supported_fibration.hpp"
 #include "rational_expression.hpp"
+#include "test_data.hpp"
 
 using namespace pn;
 using namespace pn::test;
@@ -23,10 +22,7 @@ using nlohmann::json;
 using Point = std::array<BivariateFunction, 3>;
 
 const std::vector<json>& cases() {
-  static const std::vector<json> all = [] {
-    std::ifstream file(std::string(PN_TEST_DATA) + "/printed_surfaces.json");
-    return json::parse(file).get<std::vector<json>>();
-  }();
+  static const auto all = test_data("printed_surfaces.json").get<std::vector<json>>();
   return all;
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fuzz_input.hpp"
 
-#include <cmath>
 #include <cstring>
 #include <limits>
 
 #include "pn/algebra/bernstein.hpp"
 #include "pn/bezier/bspline_surface.hpp"
 #include "pn/geometry_error.hpp"
+#include "pn/input_numbers.hpp"
 
 namespace pn::fuzz {
 namespace {
@@ -117,7 +117,7 @@ RationalPolynomial FuzzInput::polynomial(int degree) {
   std::vector<Rational> bernstein;
   for (int k = 0; k <= degree; ++k) {
     const double x = number();
-    if (!std::isfinite(x)) throw GeometryError(ErrorCode::kNotFinite, "A number is not finite.");
+    require_input_number(x, "A coefficient");
     bernstein.push_back(Rational::exactly(x));
   }
   return RationalPolynomial(from_bernstein(std::move(bernstein)));

@@ -257,13 +257,6 @@ def test_closed_shells_keep_their_volume_in_step(tmp_path):
 # Refusals -------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("bad", [float("nan"), float("inf")])
-def test_not_finite(bad):
-    refused("not_finite", lambda: pn.quadric("ellipsoid", 3, bad, 1))
-    refused("not_finite", lambda: pn.quadric("ellipsoid", 3, 2, 1).offset(bad))
-    refused("not_finite", lambda: pn.quadric("ellipsoid", 3, 2, 1, {"z": (0, float("nan"))}))
-
-
 def test_bad_axis():
     for bad in (0, -1):
         assert "half-axis b" in refused("bad_axis", lambda: pn.quadric("ellipsoid", 3, bad, 1))

@@ -158,7 +158,7 @@ class Refusals(Recovery, MirrorTest):
 
     def test_a_number_that_is_none(self):
         self.obj.Origin = Vector(0, 0, float("nan"))
-        self.assert_fails_and_recovers("not finite", self.restore)
+        self.assert_fails_and_recovers("not a finite number", self.restore)
 
     def test_no_mirror(self):
         self.obj.Face = None

@@ -130,7 +130,7 @@ class Refusals(Recovery, DocumentTest):
 
     def test_a_radius_that_is_no_number(self):
         self.obj.Radii = [*RADII[:4], float("nan")]
-        self.assert_fails_and_recovers("not finite", self.restore)
+        self.assert_fails_and_recovers("not a finite number", self.restore)
 
     def test_a_solid(self):
         self.obj.Output = "Solid"

@@ -11,6 +11,7 @@
 #include "pn/bezier/chain_source.hpp"
 #include "pn/bezier/evaluation.hpp"
 #include "pn/geometry_error.hpp"
+#include "pn/input_numbers.hpp"
 
 namespace pn {
 namespace {
@@ -81,9 +82,7 @@ PNSurface::PNSurface(std::shared_ptr<const SectionSource> source)
       sections_(std::make_shared<std::array<std::shared_ptr<const Section>, 2>>()) {}
 
 PNSurface PNSurface::offset(double d) const {
-  if (!std::isfinite(distance_ + d)) {
-    throw GeometryError(ErrorCode::kNotFinite, "The distance is not a finite number.");
-  }
+  require_input_number(distance_ + d, "The distance");
   if (distance_ + d != 0 && !has_offsets()) {
     throw GeometryError(ErrorCode::kNotRational,
                         "The offsets of this surface are not rational; only the surface at "

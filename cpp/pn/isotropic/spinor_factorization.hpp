@@ -99,10 +99,6 @@ inline std::complex<double> real_part(const std::complex<double>& z) { return z.
 inline ComplexBall real_part(const ComplexBall& z) { return ComplexBall(z.real()); }
 inline std::complex<double> root(const std::complex<double>& z) { return std::sqrt(z.real()); }
 inline ComplexBall root(const ComplexBall& z) { return ComplexBall(sqrt(z.real())); }
-inline std::complex<double> imaginary_unit(const std::complex<double>&) { return {0, 1}; }
-inline ComplexBall imaginary_unit(const ComplexBall&) {
-  return ComplexBall(RealBall(), RealBall(1));
-}
 inline double size(const std::complex<double>& z) {
   return std::abs(z.real()) + std::abs(z.imag());
 }
@@ -402,7 +398,7 @@ class Factorization {
     const C ratio = xz / xx;
     const Vector<C> y = {z[0] - ratio * x[0], z[1] - ratio * x[1]};
     const C yy = real_part(sesquilinear(z, k, z) - conj(xz) * ratio);
-    const C half(0.5), f = root(half / xx), g = root(-half / yy), i = imaginary_unit(f);
+    const C half(0.5), i(0.0, 1.0), f = root(half / xx), g = root(-half / yy);
     const Vector<C> p = {x[0] * f + y[0] * g, x[1] * f + y[1] * g};
     const Vector<C> q = {(x[0] * f - y[0] * g) * i, (x[1] * f - y[1] * g) * i};
     SpinorMatrix<C> result;
@@ -422,7 +418,7 @@ class Factorization {
     std::vector<C> values;
     for (const Point<C>& t : points) values.push_back(real_part(quotient_at(t)[high][high]));
     const Form<C> rho = interpolating_form(points, values) * (C(-0.5) / constant);
-    const C factor = imaginary_unit(constant) / constant;
+    const C factor = C(0.0, 1.0) / constant;
     SpinorMatrix<C> result;
     for (int row = 0; row < 2; ++row) {
       result.entry[row][0] = a_[row][high] + rho * a_[row][low];

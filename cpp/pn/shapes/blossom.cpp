@@ -79,11 +79,9 @@ std::vector<Rational> exactly(const std::vector<double>& values) {
 std::vector<Rational> scaled_weights(const std::vector<double>& weights, std::size_t count) {
   if (weights.empty()) return std::vector<Rational>(count, Rational(1));
   const int exponent = std::ilogb(*std::max_element(weights.begin(), weights.end()));
-  // Two steps, since 2^-exponent alone may not be a double.
-  const Rational half = Rational::exactly(std::ldexp(1.0, -(exponent / 2)));
-  const Rational rest = Rational::exactly(std::ldexp(1.0, -(exponent - exponent / 2)));
+  const Rational scale = Rational::exactly(std::ldexp(1.0, -exponent));
   std::vector<Rational> result;
-  for (const double weight : weights) result.push_back(Rational::exactly(weight) * half * rest);
+  for (const double weight : weights) result.push_back(Rational::exactly(weight) * scale);
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "pn/algebra/roots.hpp"
 #include "pn/algebra/rounded_square_root.hpp"
 #include "pn/geometry_error.hpp"
+#include "pn/input_numbers.hpp"
 #include "pn/shapes/sphere_spans.hpp"
 
 namespace pn {
@@ -47,10 +48,7 @@ Direction primitive(const Direction& a) {
 Direction constant_direction(const std::array<double, 3>& direction, const std::string& name) {
   Direction result;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!std::isfinite(direction[i])) {
-      throw GeometryError(ErrorCode::kNotFinite,
-                          "A coordinate of the " + name + " is not a finite number.");
-    }
+    require_input_number(direction[i], "A coordinate of the " + name);
     result[i] = Polynomial(Rational::exactly(direction[i]));
   }
   if (is_zero(result)) {

@@ -2,11 +2,11 @@
 #include "pn/shapes/curve.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "pn/algebra/parallel.hpp"
 #include "pn/geometry_error.hpp"
+#include "pn/input_numbers.hpp"
 #include "pn/shapes/blossom.hpp"
 
 namespace pn {
@@ -28,13 +28,10 @@ template bool joins(const RationalSpan<3>&, const RationalSpan<3>&);
 namespace {
 
 template <std::size_t Dimension>
-void require_finite(const BSplineData<Dimension>& data) {
-  const auto finite = [](double x) { return std::isfinite(x); };
-  bool all = std::all_of(data.knots.begin(), data.knots.end(), finite) &&
-             std::all_of(data.weights.begin(), data.weights.end(), finite);
-  for (const auto& pole : data.poles) all = all && std::all_of(pole.begin(), pole.end(), finite);
-  if (!all)
-    throw GeometryError(ErrorCode::kNotFinite, "A pole, weight or knot is not a finite number.");
+void require_numbers(const BSplineData<Dimension>& data) {
+  require_input_numbers(data.knots, "A knot");
+  require_input_numbers(data.weights, "A weight");
+  for (const auto& pole : data.poles) require_input_numbers(pole, "A coordinate of a pole");
 }
 
 template <std::size_t Dimension>
@@ -59,7 +56,7 @@ void require_valid(const BSplineData<Dimension>& data) {
     throw GeometryError(ErrorCode::kWrongShape,
                         "A curve or law needs at least two poles and a degree of at least 1.");
   }
-  require_finite(data);
+  require_numbers(data);
   require_weights(data);
   require_clamped(data.degree, data.knots, data.multiplicities, data.poles.size());
 }
@@ -180,9 +177,7 @@ int Curve::degree() const {
 }
 
 Law Law::constant(double value) {
-  if (!std::isfinite(value)) {
-    throw GeometryError(ErrorCode::kNotFinite, "The radius is not a finite number.");
-  }
+  require_input_number(value, "The radius");
   Law law({{Rational(0), Rational(1)}, {{{RationalPolynomial(Rational::exactly(value))}, 1L}}});
   law.fits_any_domain_ = true;
   return law;

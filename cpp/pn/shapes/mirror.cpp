@@ -2,13 +2,13 @@
 #include "pn/shapes/mirror.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <limits>
 
 #include "pn/algebra/parallel.hpp"
 #include "pn/algebra/tensor_bernstein.hpp"
 #include "pn/geometry_error.hpp"
+#include "pn/input_numbers.hpp"
 
 namespace pn {
 namespace {
@@ -42,11 +42,6 @@ Vector derivative(const Vector& a, Variable variable) {
 Vector exactly(const Point& p) {
   return {Polynomial(Rational::exactly(p[0])), Polynomial(Rational::exactly(p[1])),
           Polynomial(Rational::exactly(p[2]))};
-}
-
-void require_finite(const Point& p, const char* what) {
-  if (std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); })) return;
-  throw GeometryError(ErrorCode::kNotFinite, std::string(what) + " is not finite.");
 }
 
 [[noreturn]] void refuse_grazing() {
@@ -141,15 +136,15 @@ double path_to(const Point& pole, const PointLight& light) {
 }
 
 void require_valid(const ParallelLight& light) {
-  require_finite(light.direction, "The direction of the light");
-  require_finite(light.from, "The point where the light starts");
+  require_input_numbers(light.direction, "A coordinate of the direction of the light");
+  require_input_numbers(light.from, "A coordinate of the point where the light starts");
   if (light.direction == Point{0, 0, 0}) {
     throw GeometryError(ErrorCode::kZeroLength, "The light has no direction.");
   }
 }
 
 void require_valid(const PointLight& light) {
-  require_finite(light.position, "The position of the light source");
+  require_input_numbers(light.position, "A coordinate of the light source");
 }
 
 }  // namespace

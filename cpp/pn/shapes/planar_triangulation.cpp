@@ -2,12 +2,12 @@
 #include "pn/shapes/planar_triangulation.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <string>
 
 #include "pn/algebra/parallel.hpp"
 #include "pn/geometry_error.hpp"
+#include "pn/input_numbers.hpp"
 
 namespace pn {
 namespace {
@@ -15,9 +15,7 @@ namespace {
 std::string number(std::size_t i) { return std::to_string(i); }
 
 PlanePoint exact_point(const std::array<double, 2>& point) {
-  if (!std::isfinite(point[0]) || !std::isfinite(point[1])) {
-    throw GeometryError(ErrorCode::kNotFinite, "A parameter of the triangulation is not finite.");
-  }
+  require_input_numbers(point, "A parameter of the triangulation");
   return {Rational::exactly(point[0]), Rational::exactly(point[1])};
 }
 

@@ -8,6 +8,7 @@
 
 #include "pn/algebra/parallel.hpp"
 #include "pn/geometry_error.hpp"
+#include "pn/input_numbers.hpp"
 #include "pn/shapes/sphere_spans.hpp"
 
 namespace pn {
@@ -153,11 +154,7 @@ std::vector<FamilyPiece> pieces_of(const Split& split, const PlanarTriangulation
 }
 
 Vector minkowski_vector(const std::array<double, 4>& sphere) {
-  for (const double x : sphere) {
-    if (std::isfinite(x)) continue;
-    throw GeometryError(ErrorCode::kNotFinite,
-                        "A point, a radius or a derivative has a number that is not finite.");
-  }
+  require_input_numbers(sphere, "A number of a point, a radius or a derivative");
   return {Rational::exactly(sphere[0]), Rational::exactly(sphere[1]), Rational::exactly(sphere[2]),
           -Rational::exactly(sphere[3])};
 }

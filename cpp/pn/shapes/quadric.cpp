@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pn/geometry_error.hpp"
+#include "pn/input_numbers.hpp"
 #include "pn/isotropic/along_rulings.hpp"
 #include "pn/isotropic/quadric_pencil.hpp"
 #include "pn/shapes/canal_surface.hpp"
@@ -613,9 +614,7 @@ EnvelopeChain parabolic_cylinder(const HalfAxes& half, const QuadricBounds& boun
 void require_half_axes(QuadricKind kind, const std::array<double, 3>& half_axes) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string name(1, "abc"[i]);
-    if (!std::isfinite(half_axes[i])) {
-      throw GeometryError(ErrorCode::kNotFinite, "The half-axis " + name + " is not a number.");
-    }
+    require_input_number(half_axes[i], "The half-axis " + name);
     const bool is_unused = (kind == QuadricKind::kEllipticCylinder && i == 2) ||
                            (kind == QuadricKind::kParabolicCylinder && i == 1);
     if (!is_unused && half_axes[i] <= 0) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pn/geometry_error.hpp"
+#include "pn/input_numbers.hpp"
 #include "pn/shapes/sphere_spans.hpp"
 
 namespace pn {
@@ -274,9 +275,8 @@ GeometryError too_thin() {
 }
 
 void require_interval(const Interval& interval, const char* name) {
-  if (std::isnan(interval.low) || std::isnan(interval.high)) {
-    throw GeometryError(ErrorCode::kNotFinite,
-                        std::string("A bound of ") + name + " is not a number.");
+  for (const double bound : {interval.low, interval.high}) {
+    if (!std::isinf(bound)) require_input_number(bound, std::string("A bound of ") + name);
   }
   if (interval.low < interval.high) return;
   throw GeometryError(ErrorCode::kBadBounds, std::string("The bounds of ") + name +

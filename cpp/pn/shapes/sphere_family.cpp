@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "pn/geometry_error.hpp"
+#include "pn/input_numbers.hpp"
 
 namespace pn {
 namespace {
@@ -74,9 +75,7 @@ QuadraticFamily quadratic_family(const Spheres& control_spheres) {
   QuadraticFamily::Control control;
   for (std::size_t i = 0; i < 6; ++i) {
     const auto& sphere = control_spheres[i];
-    if (!std::all_of(sphere.begin(), sphere.end(), [](double x) { return std::isfinite(x); })) {
-      throw GeometryError(ErrorCode::kNotFinite, "A sphere has a number that is not finite.");
-    }
+    require_input_numbers(sphere, "A number of a sphere");
     for (std::size_t c = 0; c < 4; ++c) control[i][c] = Rational::exactly(sphere[c]);
     control[i][3] = -control[i][3];
   }

@@ -2,11 +2,11 @@
 #include "pn/shapes/spline_surface.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "pn/algebra/parallel.hpp"
 #include "pn/geometry_error.hpp"
+#include "pn/input_numbers.hpp"
 #include "pn/shapes/blossom.hpp"
 
 namespace pn {
@@ -24,9 +24,7 @@ void require_valid(const SplineSurfaceData& data) {
   }
   for (std::size_t direction = 0; direction < 2; ++direction) {
     const auto& knots = data.knots[direction];
-    if (!std::all_of(knots.begin(), knots.end(), [](double x) { return std::isfinite(x); })) {
-      throw GeometryError(ErrorCode::kNotFinite, "A knot is not a finite number.");
-    }
+    require_input_numbers(knots, "A knot");
     require_clamped(data.degree[direction], knots, data.multiplicities[direction],
                     count_of(data, direction));
   }
@@ -35,18 +33,10 @@ void require_valid(const SplineSurfaceData& data) {
     throw GeometryError(ErrorCode::kWrongShape,
                         "The numbers of poles and weights do not fit the knots of the surface.");
   }
-  for (const auto& pole : data.poles) {
-    if (!std::all_of(pole.begin(), pole.end(), [](double x) { return std::isfinite(x); })) {
-      throw GeometryError(ErrorCode::kNotFinite, "A pole is not a finite point.");
-    }
-  }
-  for (const double weight : data.weights) {
-    if (!std::isfinite(weight)) {
-      throw GeometryError(ErrorCode::kNotFinite, "A weight is not a finite number.");
-    }
-    if (weight <= 0) {
-      throw GeometryError(ErrorCode::kNonPositiveWeight, "The weights must be positive.");
-    }
+  for (const auto& pole : data.poles) require_input_numbers(pole, "A coordinate of a pole");
+  require_input_numbers(data.weights, "A weight");
+  if (std::any_of(data.weights.begin(), data.weights.end(), [](double w) { return w <= 0; })) {
+    throw GeometryError(ErrorCode::kNonPositiveWeight, "The weights must be positive.");
   }
 }
 
