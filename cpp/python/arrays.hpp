@@ -40,7 +40,7 @@ inline std::vector<std::array<double, 3>> points_of(const Array& array) {
 }
 
 /// Matrices of polynomials over [0, 1] by their Bernstein coefficients, (k + 1, Rows, Columns).
-/// Throws GeometryError: kWrongShape, kNotFinite.
+/// Throws GeometryError: kWrongShape, kNotFinite, kOutOfRange.
 template <std::size_t Rows, std::size_t Columns>
 std::array<std::array<pn::RationalPolynomial, Columns>, Rows> polynomials_of(const Array& array,
                                                                              const char* name) {

@@ -55,7 +55,7 @@ void define_rational_conics(py::module_& module) {
       py::arg("conic"),
       "All points of the conics x^T C(t) x = 0 for all real t. conic: (h + 1, 3, 3), Bernstein "
       "coefficients over [0, 1] of the symmetric matrix C. Raises GeometryError: no_real_points, "
-      "with the interval, singular_conics, wrong_shape, not_finite.\n\n"
+      "with the interval, singular_conics, wrong_shape, not_finite, out_of_range.\n\n"
       ">>> circle = [[1, 0, 0], [0, 1, 0], [0, 0, -1]]\n"
       ">>> points = pn.rational_conics([circle, circle])\n"
       ">>> points.degree, points.is_rational\n"

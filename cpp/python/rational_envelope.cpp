@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "rational_envelope.hpp"
 
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <memory>
@@ -18,7 +17,6 @@ namespace py = pybind11;
 
 namespace {
 
-using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Interval = std::array<double, 2>;
 
 pn::MinkowskiVector<pn::BivariateFunction> vector_of(const std::array<py::object, 4>& x) {
@@ -29,14 +27,15 @@ pn::MinkowskiVector<pn::BivariateFunction> vector_of(const std::array<py::object
 Array values_at(const std::vector<pn::BivariateFunction>& functions, const Array& p,
                 const Array& q) {
   if (p.ndim() != 1 || q.ndim() != 1 || p.size() != q.size()) {
-    throw pn::GeometryError(pn::ErrorCode::kWrongShape,
-                            "The parameters must be two lists of numbers of the same length.");
+    throw wrong_shape("The parameters must be two lists of numbers of the same length.");
   }
   Array result({p.size(), static_cast<py::ssize_t>(functions.size())});
   double* value = result.mutable_data();
   for (py::ssize_t i = 0; i < p.size(); ++i) {
+    const std::array parameters = {p.data()[i], q.data()[i]};
+    pn::require_input_numbers(parameters, "A parameter");
     const auto at =
-        std::array{pn::Rational::exactly(p.data()[i]), pn::Rational::exactly(q.data()[i])};
+        std::array{pn::Rational::exactly(parameters[0]), pn::Rational::exactly(parameters[1])};
     for (const pn::BivariateFunction& f : functions) *value++ = f.at(at).to_double();
   }
   return result;

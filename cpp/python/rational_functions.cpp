@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "rational_functions.hpp"
 
-#include "pn/geometry_error.hpp"
 #include "pn/input_numbers.hpp"
-
-namespace {
-
-pn::GeometryError wrong_shape(const std::string& sentence) {
-  return {pn::ErrorCode::kWrongShape, sentence};
-}
-
-}  // namespace
 
 pn::BivariatePolynomial polynomial_of(const Coefficients& coefficients) {
   if (coefficients.ndim() != 2) {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "surfaces_from_functions.hpp"
 
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <memory>
 
+#include "arrays.hpp"
 #include "pn/bezier/pn_surface.hpp"
 #include "pn/bezier/rational_source.hpp"
-#include "pn/geometry_error.hpp"
 #include "pn/isotropic/from_planes.hpp"
 #include "pn/shapes/mirror.hpp"
 #include "rational_functions.hpp"
@@ -17,12 +16,7 @@ namespace py = pybind11;
 
 namespace {
 
-using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Point = std::array<double, 3>;
-
-pn::GeometryError wrong_shape(const std::string& sentence) {
-  return {pn::ErrorCode::kWrongShape, sentence};
-}
 
 std::vector<double> numbers_of(const py::handle& values) {
   const Array array = py::cast<Array>(values);

@@ -344,7 +344,7 @@ class Errors(Recovery, QuadricOffsetTest):
         self.remember(make_quadric_offset("Ellipsoid", 20, 15, 10, 1, document=self.document))
 
     def test_half_axes(self):
-        for value, sentence in ((0, "positive"), (-3, "positive"), (math.nan, "not a number")):
+        for value, sentence in ((0, "positive"), (-3, "positive"), (math.nan, "not a finite number")):
             with self.subTest(value):
                 self.obj.HalfAxisB = value
                 self.assert_fails_and_recovers(sentence, lambda: setattr(self.obj, "HalfAxisB", 15))
@@ -353,7 +353,7 @@ class Errors(Recovery, QuadricOffsetTest):
         for low, high, sentence in (
             (3, 1, "bounds"),
             (2, 2, "bounds"),
-            (math.nan, 2, "not a number"),
+            (math.nan, 2, "not a finite number"),
             (20, 30, "miss"),
         ):
             with self.subTest(sentence):
@@ -364,7 +364,7 @@ class Errors(Recovery, QuadricOffsetTest):
         for low, high, sentence in (
             (90, 0, "The sector is empty: from 90° to 0°."),
             (30, 30, "The sector is empty: from 30° to 30°."),
-            (0, math.nan, "not a number"),
+            (0, math.nan, "not a finite number"),
         ):
             with self.subTest(sentence):
                 self.obj.Region, self.obj.MinZ, self.obj.MaxZ = "Sector", -5, 5
