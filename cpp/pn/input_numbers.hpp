@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Numbers of the input: zero, or of a size between 1e-100 and 1e+100.
 //
-// What doubles are beyond, exact arithmetic would carry through, but slowly: a resultant of degree n
-// in numbers of size 2^e has entries of n e bits, so that poles of 1e+308 take hours where those of a
-// drawing take milliseconds. And the result must be doubles again, which products of four such
+// What doubles are beyond, exact arithmetic would carry through, but slowly: a resultant of degree
+// n in numbers of size 2^e has entries of n e bits, so that poles of 1e+308 take hours where those
+// of a drawing take milliseconds. And the result must be doubles again, which products of four such
 // numbers are not. No drawing comes near these limits: 1e+100 millimetres are more than the visible
 // universe, squared.
 #pragma once
@@ -15,8 +15,8 @@ namespace pn {
 constexpr double kSmallestInputNumber = 1e-100;
 constexpr double kLargestInputNumber = 1e+100;
 
-/// Throws GeometryError: kNotFinite, or kOutOfRange for what is neither zero nor of such a size. The
-/// sentence begins with the name, as in "A pole".
+/// Throws GeometryError: kNotFinite, or kOutOfRange for what is neither zero nor of such a size.
+/// The sentence begins with the name, as in "A pole".
 void require_input_number(double number, std::string_view name);
 
 /// Of a list or an array.

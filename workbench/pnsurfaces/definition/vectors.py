@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Arrays of vectors, the last axis theirs."""
+
+import numpy as np
+
+
+def dot(a, b):
+    return np.sum(a * b, axis=-1)
+
+
+def cross(a, b):
+    return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+
+
+def length(a):
+    return np.linalg.norm(a, axis=-1)
