@@ -4,8 +4,8 @@
 // What doubles are beyond, exact arithmetic would carry through, but slowly: a resultant of degree
 // n in numbers of size 2^e has entries of n e bits, so that poles of 1e+308 take hours where those
 // of a drawing take milliseconds. And the result must be doubles again, which products of four such
-// numbers are not. No drawing comes near these limits: 1e+100 millimetres are more than the visible
-// universe, squared.
+// numbers are not. No drawing comes near these limits: the visible universe is 1e+30 millimetres
+// wide.
 #pragma once
 
 #include <string_view>

@@ -26,6 +26,7 @@ TOO_WIDE = "500"
 
 
 class CreationTest(CreationTests, GuiTest):
+    feature_name = "CanalSurface"
     undo_name = "Canal surface"
     typed = {"EndRadius": "9.5", "Distance": "-1.25"}
     picture = "canal_surface"

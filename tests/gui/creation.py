@@ -8,10 +8,12 @@ from support import input_of, poles, wait_for_preview
 class CreationTests:
     """Mixed into a GuiTest whose open() runs the command: the new feature and its panel.
 
-    `undo_name` is the name of the step that OK can be undone by, `typed` are the texts, in
-    millimetres, that are typed for properties, and `picture` is the name of a screenshot.
+    `feature_name` is the name of the new feature, and `undo_name` that of the step that OK can be
+    undone by. `typed` are the texts that are typed for properties, in the units of their values,
+    and `picture` is the name of a screenshot.
     """
 
+    feature_name = ""
     undo_name = ""
     typed = {"Distance": "1.5"}
     picture = ""
@@ -23,6 +25,8 @@ class CreationTests:
     def test_ok_is_one_undo_step(self):
         objects, since = self.document.Objects, len(main_window.recorded_commands())
         feature, panel = self.open()
+        self.assertEqual(feature.Name, self.feature_name)
+        self.assertTrue(feature.isValid(), feature.getStatusString())
         self.enter(panel)
         wait_for_preview()
         main_window.screenshot(self.picture)
@@ -33,18 +37,25 @@ class CreationTests:
         self.assertNotIn("Touched", feature.State)
         for name, text in self.typed.items():
             self.assertEqual(getattr(feature, name).Value, float(text))
-        name, made = feature.Name, poles(feature)
+        made = poles(feature)
         self.document.undo()
         self.assertEqual(self.document.Objects, objects)
         self.document.redo()
-        self.assertEqual(poles(self.document.getObject(name)), made)
-        self.assert_recorded(since, self.document.getObject(name), made)
+        again = self.document.getObject(self.feature_name)
+        self.assertEqual(poles(again), made)
+        self.assert_recorded(since, again, made)
 
     def test_cancel_leaves_nothing(self):
         objects = self.document.Objects
         _, panel = self.open()
         self.enter(panel)
         wait_for_preview()
+        main_window.cancel(panel)
+        self.assert_nothing_left(objects)
+
+    def test_cancel_of_an_untouched_panel_leaves_nothing(self):
+        objects = self.document.Objects
+        _, panel = self.open()
         main_window.cancel(panel)
         self.assert_nothing_left(objects)
 

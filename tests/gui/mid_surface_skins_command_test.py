@@ -5,37 +5,23 @@ import FreeCADGui
 import main_window
 import Part
 from FreeCAD import Vector
-from support import GuiTest, input_of, poles, wait_for_preview
+from creation import CreationTests
+from support import GuiTest, input_of, wait_for_preview
 
 COMMAND = "PNSurfaces_MidSurfaceSkins"
 NET = [(0, 0, 0), (100, 0, 0), (40, 80, 0), (50, 0, 8), (70, 40, 10), (20, 40, 9)]
 
 
-class CreationTest(GuiTest):
-    def test_ok_is_one_undo_step(self):
+class MidSurfaceSkinsTest(GuiTest):
+    def open(self):
         FreeCADGui.Selection.clearSelection()
-        since = len(main_window.recorded_commands())
-        feature, panel = self.run_creation(COMMAND)
-        main_window.type_text(input_of(panel, "Distance"), "1.5")
-        wait_for_preview()
-        main_window.screenshot("mid_surface_skins")
-        main_window.confirm(panel)
-        self.assert_nothing_open()
-        self.assertEqual(self.document.UndoNames, ["Mid-surface skins"])
-        self.assertTrue(feature.isValid(), feature.getStatusString())
-        made = poles(feature)
-        self.document.undo()
-        self.assertIsNone(self.document.getObject("MidSurfaceSkins"))
-        self.document.redo()
-        self.assertEqual(poles(self.document.MidSurfaceSkins), made)
-        self.assert_recorded(since, self.document.MidSurfaceSkins, made)
+        return self.run_creation(COMMAND)
 
-    def test_cancel_leaves_nothing(self):
-        objects = self.document.Objects
-        _, panel = self.run_creation(COMMAND)
-        main_window.cancel(panel)
-        self.assert_nothing_open()
-        self.assertEqual(self.document.Objects, objects)
+
+class CreationTest(CreationTests, MidSurfaceSkinsTest):
+    feature_name = "MidSurfaceSkins"
+    undo_name = "Mid-surface skins"
+    picture = "mid_surface_skins"
 
     def test_selected_vertices_are_the_net(self):
         net = self.shape_object(Part.Compound([Part.Vertex(Vector(*p)) for p in NET]), "Net")
@@ -46,11 +32,10 @@ class CreationTest(GuiTest):
         main_window.cancel(panel)
 
 
-class PanelTest(GuiTest):
+class PanelTest(MidSurfaceSkinsTest):
     def setUp(self):
         super().setUp()
-        FreeCADGui.Selection.clearSelection()
-        self.feature, self.panel = self.run_creation(COMMAND)
+        self.feature, self.panel = self.open()
 
     def type_in_table(self, row, column, text):
         table = self.panel.table

@@ -33,6 +33,7 @@ class MirrorTest(GuiTest):
 
 
 class CreationTest(CreationTests, MirrorTest):
+    feature_name = "MirrorWavefront"
     undo_name = "Mirror wavefront"
     typed = {"Distance": "150"}
     picture = "mirror_wavefront"

@@ -4,6 +4,7 @@
 import FreeCADGui
 import main_window
 from FreeCAD import Vector
+from creation import CreationTests
 from support import GuiTest, input_of, poles, wait_for_preview
 
 COMMAND = "PNSurfaces_MovingConicSection"
@@ -11,37 +12,15 @@ COMMAND = "PNSurfaces_MovingConicSection"
 
 class SectionTest(GuiTest):
     def open(self, source=None):
-        self.document.clearUndos()
         self.select(source or self.spline, "Edge1")
         return self.run_creation(COMMAND)
 
 
-class CreationTest(SectionTest):
-    def test_ok_is_one_undo_step(self):
-        since = len(main_window.recorded_commands())
-        feature, panel = self.open()
-        wait_for_preview()
-        self.assertTrue(feature.isValid(), feature.getStatusString())
-        main_window.type_text(input_of(panel, "HalfHeight"), "1.25")
-        wait_for_preview()
-        main_window.screenshot("moving_conic_section")
-        main_window.confirm(panel)
-        self.assert_nothing_open()
-        self.assertEqual(self.document.UndoNames, ["Moving conic section"])
-        self.assertEqual(feature.HalfHeight.Value, 1.25)
-        made = poles(feature)
-        self.document.undo()
-        self.assertIsNone(self.document.getObject("MovingConicSection"))
-        self.document.redo()
-        self.assertEqual(poles(self.document.MovingConicSection), made)
-        self.assert_recorded(since, self.document.MovingConicSection, made)
-
-    def test_cancel_leaves_nothing(self):
-        objects = self.document.Objects
-        _, panel = self.open()
-        main_window.cancel(panel)
-        self.assert_nothing_open()
-        self.assertEqual(self.document.Objects, objects)
+class CreationTest(CreationTests, SectionTest):
+    feature_name = "MovingConicSection"
+    undo_name = "Moving conic section"
+    typed = {"HalfHeight": "1.25"}
+    picture = "moving_conic_section"
 
     def test_an_upright_line_gets_another_direction_upwards(self):
         feature, _ = self.open(self.line)

@@ -32,6 +32,7 @@ class QuadricOffsetTest(GuiTest):
 
 
 class CreationTest(CreationTests, QuadricOffsetTest):
+    feature_name = "QuadricOffset"
     undo_name = "Quadric offset"
     typed = {"HalfAxisA": "50", "Distance": "-2.5"}
     picture = "quadric_offset"

@@ -34,6 +34,7 @@ class RuledOffsetTest(GuiTest):
 
 
 class CreationTest(CreationTests, RuledOffsetTest):
+    feature_name = "RuledOffset"
     undo_name = "Ruled surface offset"
     typed = {"Distance": "4.5"}
     picture = "ruled_offset"

@@ -3,45 +3,23 @@
 
 import FreeCADGui
 import main_window
+from creation import CreationTests
 from support import GuiTest, input_of, poles, wait_for_preview
 
 COMMAND = "PNSurfaces_SquaredRadiusCanal"
-NAME = "CanalSurfaceFromSquaredRadius"
 
 
 class SquaredRadiusTest(GuiTest):
     def open(self):
-        self.document.clearUndos()
         self.select(self.spline, "Edge1")
         return self.run_creation(COMMAND)
 
 
-class CreationTest(SquaredRadiusTest):
-    def test_ok_is_one_undo_step(self):
-        since = len(main_window.recorded_commands())
-        feature, panel = self.open()
-        wait_for_preview()
-        self.assertTrue(feature.isValid(), feature.getStatusString())
-        main_window.type_text(input_of(panel, "SquaredRadius"), "1.25")
-        wait_for_preview()
-        main_window.screenshot("squared_radius_canal")
-        main_window.confirm(panel)
-        self.assert_nothing_open()
-        self.assertEqual(self.document.UndoNames, ["Canal surface from r²"])
-        self.assertEqual(feature.SquaredRadius.Value, 1.25)
-        made = poles(feature)
-        self.document.undo()
-        self.assertIsNone(self.document.getObject(NAME))
-        self.document.redo()
-        self.assertEqual(poles(self.document.getObject(NAME)), made)
-        self.assert_recorded(since, self.document.getObject(NAME), made)
-
-    def test_cancel_leaves_nothing(self):
-        objects = self.document.Objects
-        _, panel = self.open()
-        main_window.cancel(panel)
-        self.assert_nothing_open()
-        self.assertEqual(self.document.Objects, objects)
+class CreationTest(CreationTests, SquaredRadiusTest):
+    feature_name = "CanalSurfaceFromSquaredRadius"
+    undo_name = "Canal surface from r²"
+    typed = {"SquaredRadius": "1.25"}
+    picture = "squared_radius_canal"
 
     def test_without_a_spine_it_asks_for_one(self):
         FreeCADGui.Selection.clearSelection()
