@@ -50,6 +50,28 @@ std::vector<Directrices> awkward_rulings() {
 
 }  // namespace
 
+TEST_CASE("A curve of spheres: the point is centre + radius n, and d moves it by d n",
+          "[sections]") {
+  const auto form = [](double a, double b, double c) {
+    return Form<RealBall>({RealBall(a), RealBall(b), RealBall(c)});
+  };
+  const SphereCurveForms<RealBall> curve{
+      {form(0, 3, 1), form(2, 0, -1), form(1, 1, 4)}, form(2, -1, 3), form(1, 0, 1)};
+  const auto w = some_w();
+  const auto forms = sections(curve, w);
+  const RealBall u0(0.8), u1(0.6);
+  for (const double place : {0.25, 0.75}) {
+    const RealBall t(place);
+    const auto at = contact(forms, t, u0, u1);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const RealBall n = jet(w[i], t, u0, u1).value / jet(w[3], t, u0, u1).value;
+      CHECK(encloses_zero(at.normal[i] - n, 1e-15));
+      const RealBall point = (curve.centre[i](t) + curve.radius(t) * n) / curve.denominator(t);
+      CHECK(encloses_zero(at.point[i] - point, 1e-15));
+    }
+  }
+}
+
 TEST_CASE("Rulings: n is orthogonal to the sections, and d moves them by d n", "[sections]") {
   for (const Directrices& curves : awkward_rulings()) {
     const auto gamma = along(curves).enclosure(192);
