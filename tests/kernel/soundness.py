@@ -113,13 +113,13 @@ def canal(random):
     surface = pipe.surface().offset(size * random.choice([0.0, random.uniform(-1, 1)]))
     distance = surface.distance
 
-    def error(point, u, _):
+    def error_from(point, start):
         try:
-            return pipe.distance(point, distance, u, spine.span_at(u))
-        except ArithmeticError:  # where D has odd real roots the faces have another parameter
-            return pipe.distance(point, distance, *pipe.nearest_parameter(point, distance))
+            return pipe.distance(point, distance, start, spine.span_at(start))
+        except ArithmeticError:
+            return np.inf
 
-    return Specimen(surface, error)
+    return Specimen(surface, _nearest(error_from, spine))
 
 
 def ruled(random):
@@ -370,8 +370,9 @@ def squared_radii(random):
 def _nearest(error_from, spine):
     """The error by the section or circle nearest to the point.
 
-    A face has a parameter of its own where the conics are real on an interval only: then other places
-    of the spine are tried than its first parameter.
+    A face has a parameter of its own where its circles or conics are real on an interval only: then
+    other places of the spine are tried than its first parameter, and the first that is found may be
+    another one, so that its error says nothing.
     """
 
     def error(point, u, _):
