@@ -195,7 +195,8 @@ struct FaceColumns {
 };
 
 SegmentFace face_net(const Rows& strip, const Run& run, const FaceColumns& columns, int arcs) {
-  const auto& [circle, weights] = columns;
+  const CircleColumns& circle = columns.circle;
+  const std::vector<ColumnWeights>& weights = columns.weights;
   SegmentFace face;
   face.frame = frame_of(strip.segments, run, strip.spans, circle);
   face.stands_still = strip.segments[run.first]->stands_still;
