@@ -83,6 +83,14 @@ def mirror_wavefront(document):
     )
 
 
+def triangulated_skins(document):
+    points = [(0, 0, 0), (40, 0, 1), (40, 30, 0), (0, 30, 2), (20, 15, 6)]
+    triangles = [(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]
+    return pnsurfaces.make_triangulated_skins(
+        points, [2, 3, 2, 2.5, 1], triangles, 0.5, document=document
+    )
+
+
 def moving_conic_section(document):
     spine = _bezier(document, "Spine", [(0, 0, 0), (20, 5, 0), (35, 20, 5)])
     rows = [(0, 5, 2), (0.5, 4, 3), (1, 3, 3)]
@@ -99,6 +107,7 @@ save(canal_surface, "canal_surface")
 save(ruled_offset, "ruled_offset")
 save(quadric_offset, "quadric_offset")
 save(mid_surface_skins, "mid_surface_skins")
+save(triangulated_skins, "triangulated_skins")
 save(mirror_wavefront, "mirror_wavefront")
 save(moving_conic_section, "moving_conic_section")
 save(squared_radius_canal, "squared_radius_canal")

@@ -4,8 +4,7 @@
 import pathlib
 
 import FreeCAD
-import Part
-from support import DocumentTest, shape_data
+from support import DocumentTest, feature_classes, shape_data
 
 import pnsurfaces
 from pnsurfaces.shape import measured
@@ -35,32 +34,9 @@ class StoredDocuments(DocumentTest):
 
     def test_every_class_has_one_of_its_present_schema(self):
         stems = {path.stem for path in DOCUMENTS.glob("*.FCStd")}
-        for make, name in (
-            (lambda: pnsurfaces.make_canal_surface(self.line_object(), 1), "canal_surface"),
-            (lambda: pnsurfaces.make_quadric_offset("Ellipsoid", 3, 2, 1), "quadric_offset"),
-            (self._ruled_offset, "ruled_offset"),
-            (self._mid_surface_skins, "mid_surface_skins"),
-            (self._mirror_wavefront, "mirror_wavefront"),
-            (self._moving_conic_section, "moving_conic_section"),
-            (
-                lambda: pnsurfaces.make_squared_radius_canal(self.line_object(), 2),
-                "squared_radius_canal",
-            ),
-        ):
-            self.assertIn(f"{name}_schema_{make().SchemaVersion}", stems)
-
-    def _ruled_offset(self):
-        return pnsurfaces.make_ruled_offset(self.line_object(), self.spline_object(), 1)
-
-    def _mirror_wavefront(self):
-        mirror = self.face_object(Part.makePlane(9, 9))
-        return pnsurfaces.make_mirror_wavefront(mirror, 9, direction=(0, 0, -1))
-
-    def _moving_conic_section(self):
-        return pnsurfaces.make_moving_conic_section(self.line_object(), (2, 1), up=(0, 1, 0))
-
-    def _mid_surface_skins(self):
-        return pnsurfaces.make_mid_surface_skins([(0, 0, 0), (9, 0, 0), (0, 9, 0)], [1, 1, 1, 2, 2, 2])
+        for kind in feature_classes():
+            module = kind.__module__.split(".")[-1]
+            self.assertIn(f"{module}_schema_{kind.schema_version}", stems)
 
 
 class NewerDocuments(DocumentTest):

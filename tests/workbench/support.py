@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Documents, spines and comparisons that the tests share."""
 
+import inspect
 import pathlib
 import tempfile
 import unittest
@@ -10,8 +11,10 @@ import numpy as np
 import Part
 from FreeCAD import Vector
 
+import pnsurfaces
 from pnsurfaces import kernel
 from pnsurfaces.face_grid import face_grid, patches
+from pnsurfaces.feature import FeatureBase
 from pnsurfaces.shape import own_shape
 from pnsurfaces.spline_grid import points_and_normals
 
@@ -20,6 +23,19 @@ POLES = [(0, 0, 0), (10, 3, 1), (22, -4, 5), (30, 6, 9), (41, 12, 4), (50, 10, 0
 KNOTS = [0.0, 0.2, 0.5, 0.7, 1.0]
 MULTIPLICITIES = [4, 1, 1, 1, 4]
 RADII = [2.0, 2.5, 1.5, 1.75, 3.0]
+
+
+def feature_classes():
+    """The class of every kind of feature: each is in the module of the function that makes it."""
+    makers = [getattr(pnsurfaces, name) for name in pnsurfaces.__all__ if name.startswith("make_")]
+    return [
+        member
+        for module in map(inspect.getmodule, makers)
+        for member in vars(module).values()
+        if inspect.isclass(member)
+        and issubclass(member, FeatureBase)
+        and member.__module__ == module.__name__
+    ]
 
 
 class DocumentTest(unittest.TestCase):

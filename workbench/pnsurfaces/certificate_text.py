@@ -2,7 +2,7 @@
 """A certificate as Markdown, for the panel and for files."""
 
 # What a class of features is called for the user.
-_TITLES = {
+TITLES = {
     "CanalSurface": "canal surface",
     "MidSurfaceSkins": "skins of a mid-surface",
     "MirrorWavefront": "wavefront of a mirror",
@@ -28,7 +28,7 @@ def _of_object(entry):
     title = f"## {_escaped(entry['label'])}"
     if "answer" in entry:
         return f"{title}\n\n{_escaped(entry['answer'])}"
-    kind = _TITLES.get(entry["kind"], entry["kind"])
+    kind = TITLES.get(entry["kind"], entry["kind"])
     sides = f", {entry['sides'].lower()}" if entry["sides"] else ""
     shown = f"{kind}{sides}, as {entry['output'].lower()}"
     rows = [

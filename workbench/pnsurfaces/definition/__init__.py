@@ -38,7 +38,7 @@ def definition_of(obj):
     """The definition of a feature: Spheres, SquaredSpheres, Rulings, Sections, Quadric, SphereNet,
     SphereNets, BallNet or Huygens; None for another object."""
     proxy = type(getattr(obj, "Proxy", None))
-    return _DEFINITIONS[proxy](obj) if proxy in _DEFINITIONS else None
+    return DEFINITIONS[proxy](obj) if proxy in DEFINITIONS else None
 
 
 def definitions_of(obj, count):
@@ -85,7 +85,7 @@ def _nets(obj):
 
 _CONICS = {ELLIPSE: Ellipse, FROM_THE_VERTEX: VertexConic}
 
-_DEFINITIONS = {
+DEFINITIONS = {
     CanalSurface: lambda obj: _spheres(*read_spheres(obj)),
     SquaredRadiusCanal: _squared_spheres,
     RuledOffset: _rulings,
