@@ -182,16 +182,17 @@ TEST_CASE("An operation works at the larger precision of its operands", "[ball]"
 }
 
 TEST_CASE("A ball rounds to a double when it is narrower than its last place", "[ball]") {
+  const long precision = GENERATE(values<long>({pn::DoubleWordBall::kPrecision, 128}));
   CHECK(RealBall(0.1).rounded() == 0.1);
   CHECK(RealBall(0).rounded() == 0.0);
-  CHECK(RealBall(Rational(1L) / Rational(3L), 128).rounded() == 1 / 3.0);
-  CHECK_FALSE(RealBall::between(1, 1 + 0x1p-40, 128).rounded());
-  CHECK_FALSE(RealBall::between(-0x1p-200, 0x1p-200, 128).rounded());
+  CHECK(RealBall(Rational(1L) / Rational(3L), precision).rounded() == 1 / 3.0);
+  CHECK_FALSE(RealBall::between(1, 1 + 0x1p-40, precision).rounded());
+  CHECK_FALSE(RealBall::between(-0x1p-200, 0x1p-200, precision).rounded());
   CHECK_FALSE((RealBall(1) / RealBall::between(-1, 1, 64)).rounded());
 
   // The contract at its border: all numbers are within one unit in the last place.
-  for (const double width : {0x1p-54, 0x1p-53, 0x1p-52, 0x1p-51}) {
-    const RealBall ball = RealBall::between(1.5, 1.5 + width, 128);
+  for (const double width : {0x1p-54, 0x1p-53, 0x1p-52, 0x1p-51, 0x1p-48}) {
+    const RealBall ball = RealBall::between(1.5, 1.5 + width, precision);
     if (const auto nearest = ball.rounded()) {
       CHECK(std::abs(1.5 + width - *nearest) <= 0x1p-52);
       CHECK(std::abs(1.5 - *nearest) <= 0x1p-52);

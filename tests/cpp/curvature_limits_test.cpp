@@ -154,6 +154,16 @@ TEST_CASE("Nothing limits the offsets of a plane", "[curvature_limits]") {
   check_range({plane}, -INFINITY, INFINITY);
 }
 
+TEST_CASE("A ridge between two samples is found by the proof", "[curvature_limits]") {
+  // The slope K (x - a)(x - b)(x - c) bends most at a, where no sample is near, and less at c.
+  constexpr double kSteep = 1000, kA = 9.0 / 32, kB = 0.75, kC = 1;
+  const Polynomial z = number(kSteep / 12) * kX *
+                       (number(3) * kX * kX * kX - number(4 * (kA + kB + kC)) * kX * kX +
+                        number(6 * (kA * kB + kB * kC + kC * kA)) * kX - number(12 * kA * kB * kC));
+  const OffsetRange found = curvature_limits({graph(z, 0, 1, 0, 1)}, kTolerance);
+  CHECK(found.upper == Approx(1 / (kSteep * (kB - kA) * (kC - kA))).epsilon(1e-3));
+}
+
 TEST_CASE("A cylinder and a cone are limited on one side", "[curvature_limits]") {
   const Quarter circle(Variable::kU);
   const Polynomial height = between(0, 5, Variable::kV) * circle.weight;

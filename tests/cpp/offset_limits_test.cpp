@@ -73,6 +73,29 @@ TEST_CASE("A pipe ends at the least radius of curvature of its spine", "[offset_
   CHECK(found.upper == Approx(1 / largest - 0.01).epsilon(1e-5));
 }
 
+TEST_CASE("A bend between two samples is found by the proof", "[offset_limits]") {
+  // x' = (t - a)(t - b), and y' is small at a and at b: bends at both, that at a so narrow that the
+  // samples beside it are straighter than b, which is one of them.
+  constexpr double kSize = 1e5, kA = 17.0 / 64, kB = 0.75, kAtA = 1e-3, kAtB = 0.05, kRadius = 0.01;
+  const double rise = kAtB + kAtA, start = -kAtA - rise * kA / (kB - kA);
+  const auto x = [&](double t) { return std::array{(t - kA) * (t - kB), 2 * t - kA - kB}; };
+  const auto y = [&](double t) { return std::array{start * (kB - kA) + rise * t, rise}; };
+  double least = HUGE_VAL;  // radius of curvature
+  for (int i = -1000; i <= 1000; ++i) {
+    const double t = kA + 1e-5 * i, speed = std::hypot(x(t)[0], y(t)[0]);
+    const double bend = std::abs(x(t)[0] * y(t)[1] - y(t)[0] * x(t)[1]);
+    least = std::min(least, kSize * speed * speed * speed / bend);
+  }
+  const auto pole = [&](double t1, double t2, double t3) {
+    return std::array{kSize * (kA * kB * t1 - (kA + kB) / 2 * t2 + t3 / 3),
+                      kSize * (start * (kB - kA) * t1 + rise / 2 * t2), 0.0};
+  };
+  const Curve spine =
+      Curve::bezier({pole(0, 0, 0), pole(1. / 3, 0, 0), pole(2. / 3, 1. / 3, 0), pole(1, 1, 1)});
+  const OffsetRange found = range(spine, Law::constant(kRadius));
+  CHECK(found.upper == Approx(least - kRadius).epsilon(1e-2));
+}
+
 TEST_CASE("A radius that varies moves the focal distance", "[offset_limits]") {
   // A straight spine: the meridian (t + r n_x, r n_y) is a plane curve. For r = 2 - t^2 / 2 the
   // largest turn is at the middle of the bump; K = R' = -1 there for M = 1, so only rho = 0 counts

@@ -101,6 +101,31 @@ TEST_CASE("The certificate bounds the distance to the surface of the net itself"
   }
 }
 
+TEST_CASE("The certificate counts what rounded weights move", "[section_net]") {
+  // Poles that are doubles, and weights that are none.
+  FaceNet face;
+  face.frame.u_degree = face.frame.v_degree = 1;
+  face.frame.u_knots = face.frame.v_knots = {0, 1};
+  face.frame.u_multiplicities = face.frame.v_multiplicities = {2, 2};
+  face.stands_still = false;
+  std::vector<Homogeneous> controls;
+  for (const long i : {0L, 1L, 2L, 3L}) {
+    const RealBall weight(Rational(1L) / Rational(3 + 2 * i), 256);
+    NetPole pole{{RealBall(i % 2), RealBall(i / 2), RealBall(i * i)}, {}, weight};
+    controls.push_back(Homogeneous{{pole.point[0], pole.point[1], pole.point[2], RealBall(1)}} *
+                       weight);
+    face.poles.push_back(std::move(pole));
+  }
+  const auto rounded = SectionNet({face}, 256).section(0).front();
+  const auto truth = enclosed_point(rounded.surface, controls, 0.3, 0.6, 256);
+  const auto exported = enclosed_point(rounded.surface, 0.3, 0.6, 256);
+  RealBall squares;
+  for (std::size_t c = 0; c < 3; ++c)
+    squares += (exported[c] - truth[c]) * (exported[c] - truth[c]);
+  CHECK(sqrt(squares).lower() > 0);
+  CHECK(sqrt(squares).upper() <= rounded.deviation);
+}
+
 TEST_CASE("Normals are unit vectors on the sphere, in doubles", "[section_net]") {
   const ChainNet net(smooth_chain(), Lines::kEven, 128);
   const BSplineSurface normals = net.normals().front();
