@@ -114,10 +114,7 @@ def canal(random):
     distance = surface.distance
 
     def error_from(point, start):
-        try:
-            return pipe.distance(point, distance, start, spine.span_at(start))
-        except ArithmeticError:
-            return np.inf
+        return pipe.distance(point, distance, start, spine.span_at(start))
 
     return Specimen(surface, _nearest(error_from, spine))
 
@@ -378,10 +375,13 @@ def _nearest(error_from, spine):
     def error(point, u, _):
         found = []
         for start in (u, *np.linspace(spine.knots[0], spine.knots[-1], 9)):
-            found.append(error_from(point, start))
+            try:
+                found.append(error_from(point, start))
+            except ArithmeticError:  # Newton's method leads nowhere from there.
+                continue
             if found[-1] < NEAR:
                 break
-        return min(found)
+        return min(found, default=np.inf)
 
     return error
 
