@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Numbers of the input: zero, or of a size between 1e-100 and 1e+100.
 //
-// What doubles are beyond, exact arithmetic would carry through, but slowly: a resultant of degree
-// n in numbers of size 2^e has entries of n e bits, so that poles of 1e+308 take hours where those
-// of a drawing take milliseconds. And the result must be doubles again, which products of four such
-// numbers are not. No drawing comes near these limits: the visible universe is 1e+30 millimetres
-// wide.
+// Exact arithmetic would carry through what lies beyond, but a resultant of degree n in numbers of
+// size 2^e has entries of n e bits: for poles of 1e+308 the roots that a surface needs are not
+// found while a designer waits. And the result must be doubles again. No drawing comes near these
+// limits: the visible universe is 1e+30 millimetres wide.
 #pragma once
 
 #include <string_view>

@@ -55,22 +55,19 @@ ENTRANCES = {
 }
 
 
-@pytest.mark.parametrize("entrance", ENTRANCES)
-@pytest.mark.parametrize(
-    ("code", "bad"),
-    [
-        ("not_finite", np.nan),
-        ("not_finite", np.inf),
-        ("not_finite", -np.inf),
-        ("out_of_range", 1e101),
-        ("out_of_range", -1e308),
-        ("out_of_range", 1e-101),
-        ("out_of_range", -5e-324),
-    ],
-)
-def test_what_no_drawing_has_is_refused_at_once(entrance, code, bad):
-    if entrance == "bound of a quadric" and np.isinf(bad):
-        return  # An infinite bound is none.
-    sentence = refused(code, lambda: ENTRANCES[entrance](bad))
+BAD = {"not_finite": (np.nan, np.inf, -np.inf), "out_of_range": (1e101, -1e308, 1e-101, -5e-324)}
+# An infinite bound is none.
+CASES = [
+    (entrance, code, number)
+    for entrance in ENTRANCES
+    for code, numbers in BAD.items()
+    for number in numbers
+    if not (entrance == "bound of a quadric" and np.isinf(number))
+]
+
+
+@pytest.mark.parametrize(("entrance", "code", "number"), CASES)
+def test_what_no_drawing_has_is_refused_at_once(entrance, code, number):
+    sentence = refused(code, lambda: ENTRANCES[entrance](number))
     if code == "out_of_range":
-        assert f"{bad:g}" in sentence
+        assert f"{number:g}" in sentence

@@ -9,6 +9,7 @@ def dot(a, b):
 
 
 def cross(a, b):
+    """Of vectors in the plane: the area between them, with its sign."""
     return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
 
 
