@@ -639,15 +639,7 @@
             <translation type="unfinished" />
         </message>
         <message>
-            <source>Along the spine</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <source>Conic constant</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <source>Constant at end</source>
+            <source>Constant</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -655,11 +647,11 @@
             <translation type="unfinished" />
         </message>
         <message>
-            <source>Depth at end</source>
+            <source>Fit within</source>
             <translation type="unfinished" />
         </message>
         <message>
-            <source>Fit within</source>
+            <source>Law</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -683,11 +675,7 @@
             <translation type="unfinished" />
         </message>
         <message>
-            <source>Radius at end</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <source>Radius at vertex</source>
+            <source>Radius</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -704,10 +692,6 @@
         </message>
         <message>
             <source>Section</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <source>Side at end</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -731,15 +715,15 @@
             <translation type="unfinished" />
         </message>
         <message>
-            <source>Up at end</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
             <source>Upwards</source>
             <translation type="unfinished" />
         </message>
         <message>
             <source>Use selection</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>at end</source>
             <translation type="unfinished" />
         </message>
         <message>

@@ -639,28 +639,20 @@
             <translation>Fügt unter der aktuellen Zeile eine Zeile ein</translation>
         </message>
         <message>
-            <source>Along the spine</source>
-            <translation>Entlang der Leitkurve</translation>
-        </message>
-        <message>
-            <source>Conic constant</source>
-            <translation>Konische Konstante</translation>
-        </message>
-        <message>
-            <source>Constant at end</source>
-            <translation>Konstante am Ende</translation>
+            <source>Constant</source>
+            <translation>Konstante</translation>
         </message>
         <message>
             <source>Depth</source>
             <translation>Tiefe</translation>
         </message>
         <message>
-            <source>Depth at end</source>
-            <translation>Tiefe am Ende</translation>
-        </message>
-        <message>
             <source>Fit within</source>
             <translation>Angenähert auf</translation>
+        </message>
+        <message>
+            <source>Law</source>
+            <translation>Verlauf</translation>
         </message>
         <message>
             <source>Moving conic section</source>
@@ -683,12 +675,8 @@
             <translation>Position nach</translation>
         </message>
         <message>
-            <source>Radius at end</source>
-            <translation>Radius am Ende</translation>
-        </message>
-        <message>
-            <source>Radius at vertex</source>
-            <translation>Scheitelradius</translation>
+            <source>Radius</source>
+            <translation>Radius</translation>
         </message>
         <message>
             <source>Remove</source>
@@ -705,10 +693,6 @@
         <message>
             <source>Section</source>
             <translation>Schnitt</translation>
-        </message>
-        <message>
-            <source>Side at end</source>
-            <translation>Seite am Ende</translation>
         </message>
         <message>
             <source>Spine</source>
@@ -731,16 +715,16 @@
             <translation>Oben</translation>
         </message>
         <message>
-            <source>Up at end</source>
-            <translation>Höhe am Ende</translation>
-        </message>
-        <message>
             <source>Upwards</source>
             <translation>Nach oben</translation>
         </message>
         <message>
             <source>Use selection</source>
             <translation>Auswahl übernehmen</translation>
+        </message>
+        <message>
+            <source>at end</source>
+            <translation>am Ende</translation>
         </message>
         <message>
             <source>mm</source>
