@@ -2,7 +2,8 @@
 """The point of a family of spheres, lines or sections along a curve that is nearest to a given one.
 
 A family has breaks(), between which it is smooth, and at(t, inside, points, distance): the value that
-is zero at a characteristic point, and the deviation there, at parameters t of the spans `inside`.
+is zero at a characteristic point, and the deviation there, at parameters t of the spans that the
+parameters `inside` lie in. Then `deviations_along` is its method `deviations`.
 """
 
 import numpy as np
@@ -22,8 +23,8 @@ _HALVINGS = 50
 _BEYOND_END = 1e-7
 
 
-def deviations_along(family, points, distance):
-    """The least deviation at a root of the family's equation."""
+def deviations_along(family, points, normals, distance):
+    """The least deviation at a root of the family's equation; all roots are found without normals."""
     starts = range(0, len(points), _POINTS_AT_ONCE)
     blocks = [points[start : start + _POINTS_AT_ONCE] for start in starts]
     return np.concatenate([_of_block(family, block, distance) for block in blocks])

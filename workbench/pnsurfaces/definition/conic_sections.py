@@ -32,8 +32,7 @@ class Sections(NamedTuple):
     def words(self):
         return f"{self.conic.words}: distance in the plane of the section, to first order"
 
-    def deviations(self, points, normals, distance):
-        return deviations_along(self, points, distance)
+    deviations = deviations_along
 
     def breaks(self):
         return np.unique(np.concatenate([self.spine.breaks, *(law.breaks for law in self.laws)]))

@@ -25,21 +25,12 @@ class Spheres(NamedTuple):
 
     words = "envelope of the spheres along the spine: distance from the centre minus the radius"
 
-    def deviations(self, points, normals, distance):
-        """By how much each of the points (n, 3) is off the surface at a distance, in mm.
-
-        `normals` (n, 3), unit, tell where to begin to look, and are not believed.
-        """
-        return deviations_along(self, points, distance)
+    deviations = deviations_along
 
     def breaks(self):
         return np.union1d(self.centre.breaks, self.radius.breaks)
 
     def at(self, t, inside, points, distance):
-        """The value that is zero at a characteristic point, and the deviation there.
-
-        `inside` are parameters inside the spans that are taken.
-        """
         centre, speed = self.centre.with_derivative(t, inside)
         radius, growth = (part[..., 0] for part in self.radius.with_derivative(t, inside))
         radius = radius + distance
@@ -56,8 +47,7 @@ class SquaredSpheres(NamedTuple):
 
     words = "envelope of the spheres along the spine: distance from the centre minus the root of r^2"
 
-    def deviations(self, points, normals, distance):
-        return deviations_along(self, points, distance)
+    deviations = deviations_along
 
     def breaks(self):
         return np.union1d(self.centre.breaks, self.squared_radius.breaks)
@@ -80,8 +70,7 @@ class Rulings(NamedTuple):
 
     words = "feet on the rulings: distance from the ruled surface along its normal"
 
-    def deviations(self, points, normals, distance):
-        return deviations_along(self, points, distance)
+    deviations = deviations_along
 
     def breaks(self):
         return np.union1d(self.first.breaks, self.last.breaks)
