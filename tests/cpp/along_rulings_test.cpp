@@ -206,7 +206,7 @@ TEST_CASE("The torsion is the determinant of a', g and g'", "[along_rulings]") {
   const RationalPolynomial z = polynomial({2, 3, -9, 6});
   const SphereCurve line{{polynomial({0, 5}), 0L, 0L}, 0L, 1L};
   const SphereCurve other{{polynomial({1, 7, 2}), 4L, z}, 0L, 1L};
-  const RationalPolynomial turn = torsion(joined(line, other).rulings);
+  const RationalPolynomial turn = ruling_normal(joined(line, other).rulings).torsion;
   REQUIRE(turn.degree() == 2);
   const RationalPolynomial slope = z.derivative();
   CHECK(turn * RationalPolynomial(slope.coefficient(2)) ==
@@ -225,10 +225,10 @@ TEST_CASE("The torsion is the determinant of a', g and g'", "[along_rulings]") {
   planar.centre[2] = 0L;
   SphereCurve in_plane = planar;
   in_plane.centre[1] += polynomial({3, 1});
-  CHECK(torsion(joined(cubic, moved).rulings).is_zero());
-  CHECK(torsion(joined(cubic, tangent).rulings).is_zero());
-  CHECK(torsion(joined(cubic, cone).rulings).is_zero());
-  CHECK(torsion(joined(planar, in_plane).rulings).is_zero());
+  CHECK(ruling_normal(joined(cubic, moved).rulings).torsion.is_zero());
+  CHECK(ruling_normal(joined(cubic, tangent).rulings).torsion.is_zero());
+  CHECK(ruling_normal(joined(cubic, cone).rulings).torsion.is_zero());
+  CHECK(ruling_normal(joined(planar, in_plane).rulings).torsion.is_zero());
 }
 
 TEST_CASE("Torsal roots inside, at joints exactly, and a little beyond free ends",
@@ -270,7 +270,7 @@ TEST_CASE("Torsal rulings of cones are those where the normal N is isotropic", "
   curves[0].radius = polynomial({9, 4, -3});
   curves[1].radius = polynomial({8, -2, 3});
   const Rulings rulings = joined(curves[0], curves[1]).rulings;
-  const RationalPolynomial found = torsal_polynomial(rulings);
+  const RationalPolynomial found = torsal_polynomial(ruling_normal(rulings));
   // <N, N> is minus the Gram determinant of a', g, g' in R^{3,1}.
   using Vector = std::array<RationalPolynomial, 4>;
   const SphereCurve& a = rulings.point;
@@ -390,7 +390,7 @@ TEST_CASE("A torsal ruling of the other sheet is none, however steep the cones",
     const Rulings rulings = joined(sides[0], sides[1]).rulings;
     const auto forms =
         std::get<RulingForms<double>>(midpoint(local_forms(rulings, sides, kAlone, 128).carrier));
-    const auto candidates = roots_in_unit_interval(torsal_polynomial(rulings));
+    const auto candidates = roots_in_unit_interval(torsal_polynomial(ruling_normal(rulings)));
     REQUIRE(candidates.size() == 1);
     const double t = candidates.front().value.midpoint();
     // Both sheets have it on one side only, where all normals of the ruling are one.

@@ -123,7 +123,7 @@ int torsal_count(const Rulings& rulings, const SpanPlace& place) {
   const Rational low = place.meets_before ? Rational(0L) : -beyond_free_end(),
                  high = place.meets_after ? Rational(1L) : Rational(1L) + beyond_free_end();
   return static_cast<int>(
-      roots_in_unit_interval(torsion(rulings).on_interval(low, high - low)).size());
+      roots_in_unit_interval(ruling_normal(rulings).torsion.on_interval(low, high - low)).size());
 }
 
 /// The degree of the theorem for lines in space: R = 0.

@@ -36,7 +36,7 @@ class RandomDirectrices {
     for (;;) {
       const Directrices curves = {curve(p, {0, 0, 0}, first_denominator),
                                   curve(q, {0, 40, 7}, second_denominator)};
-      const RationalPolynomial turn = torsion(joined(curves[0], curves[1]).rulings);
+      const RationalPolynomial turn = ruling_normal(joined(curves[0], curves[1]).rulings).torsion;
       if (turn.is_zero()) continue;
       const Rational beyond = Rational(1L) / Rational(8L);
       const auto wider = turn.on_interval(-beyond, Rational(1L) + beyond + beyond);

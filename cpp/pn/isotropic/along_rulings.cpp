@@ -175,7 +175,7 @@ RealBall speed(const LocalParameter& parameter, const RealBall& s) {
   return (t.derivative()(s) * one(s) - t(s) * one.derivative()(s)) / (one(s) * one(s));
 }
 
-/// The minors of a', g, g' without the first, second, third and fourth coordinate.
+/// The minors of a', g, g' without each of the coordinates.
 Vector4 minors(const Rulings& rulings) {
   const Vector4 a = motion(rulings.point), g = vector_of(rulings.direction), turn = slope(g);
   return {determinant(a, g, turn, 1, 2, 3), determinant(a, g, turn, 0, 2, 3),
@@ -205,21 +205,6 @@ std::vector<RealBall> roots_on_span(RationalPolynomial p, const SpanPlace& place
   return roots;
 }
 
-/// The normal N of a', g and g' with what its minors have in common, where the three are dependent.
-struct RulingNormal {
-  RationalPolynomial common;
-  Vector4 coprime;  ///< the minors
-};
-
-RulingNormal ruling_normal(const Rulings& rulings) {
-  RulingNormal result{{}, minors(rulings)};
-  Vector4& m = result.coprime;
-  result.common = common_divisor(m[0], {m[1], m[2], m[3]});
-  if (result.common.is_zero()) return result;
-  for (RationalPolynomial& p : m) p = exact_quotient(p, result.common);
-  return result;
-}
-
 RationalPolynomial minkowski_square(const Vector4& m) {
   return m[0] * m[0] + m[1] * m[1] + m[2] * m[2] - m[3] * m[3];
 }
@@ -238,7 +223,7 @@ std::vector<RealBall> torsal_roots(const Rulings& rulings, const RulingForms<dou
     const double local = parameter.local_of(root).midpoint();
     return n.dot(towards_band(forms, local, 0.5)) * m[3](t).sign() > 0;
   };
-  std::vector<RealBall> roots = roots_on_span(normal.common, place, precision);
+  std::vector<RealBall> roots = roots_on_span(normal.torsion, place, precision);
   for (const RealBall& root : roots_on_span(minkowski_square(m), place, precision)) {
     if (is_of_wanted_sheet(root)) roots.push_back(root);
   }
@@ -329,11 +314,17 @@ TorsalRange torsal_range(const SpanPlace& place) {
           place.meets_after ? Rational(1) : Rational(1) + beyond};
 }
 
-RationalPolynomial torsion(const Rulings& rulings) { return ruling_normal(rulings).common; }
+RulingNormal ruling_normal(const Rulings& rulings) {
+  RulingNormal result{{}, minors(rulings)};
+  Vector4& m = result.coprime;
+  result.torsion = common_divisor(m[0], {m[1], m[2], m[3]});
+  if (result.torsion.is_zero()) return result;
+  for (RationalPolynomial& p : m) p = exact_quotient(p, result.torsion);
+  return result;
+}
 
-RationalPolynomial torsal_polynomial(const Rulings& rulings) {
-  const RulingNormal normal = ruling_normal(rulings);
-  return normal.common * minkowski_square(normal.coprime);
+RationalPolynomial torsal_polynomial(const RulingNormal& normal) {
+  return normal.torsion * minkowski_square(normal.coprime);
 }
 
 LocalForms local_forms(const Rulings& rulings, const std::array<SphereCurve, 2>& directrices,

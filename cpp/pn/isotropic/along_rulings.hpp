@@ -64,13 +64,19 @@ struct TorsalRange {
 
 TorsalRange torsal_range(const SpanPlace& place);
 
-/// The greatest common divisor of the minors of a', g, g', freed of denominators: zero when the
-/// family is developable.
-RationalPolynomial torsion(const Rulings& rulings);
+/// The normal of a', g and g', freed of denominators: its coordinates are their minors.
+struct RulingNormal {
+  /// The greatest common divisor of the minors: zero when the family is developable.
+  RationalPolynomial torsion;
+  /// N: the minors without the first, second, third and fourth coordinate, divided by it.
+  std::array<RationalPolynomial, 4> coprime;
+};
 
-/// The torsion times <N, N> for the coprime normal N of a', g and g': zero where a ruling may be
-/// torsal. For lines (R = 0) it is the torsion but for a constant.
-RationalPolynomial torsal_polynomial(const Rulings& rulings);
+RulingNormal ruling_normal(const Rulings& rulings);
+
+/// The torsion times <N, N>: zero where a ruling may be torsal. For lines (R = 0) it is the torsion
+/// but for a constant.
+RationalPolynomial torsal_polynomial(const RulingNormal& normal);
 
 /// The family in the local parameter, its slopes by the designer's. `directrices` bound the wanted
 /// part of every ruling.

@@ -19,10 +19,14 @@ struct Span {
   std::array<SphereSpan, 2> directrices;
   JoinedRulings joined;
   Rulings rulings;  ///< with least denominator, at the scale at which they continue those before
+  RulingNormal normal;           ///< of the joined rulings
+  std::vector<RealRoot> torsal;  ///< rulings on [0, 1], where the span is not developable
 
   const Rational& begin() const { return directrices[0].begin; }
   const Rational& end() const { return directrices[0].end; }
 };
+
+bool is_developable(const Span& span) { return span.normal.torsion.is_zero(); }
 
 double parameter(const Span& span, double local) {
   const double begin = span.begin().to_double();
@@ -113,7 +117,7 @@ void require_cones(const Span& span) {
 }
 
 void require_simple_torsal_rulings(const Span& span) {
-  for (const RealRoot& torsal : roots_in_unit_interval(torsal_polynomial(span.joined.rulings))) {
+  for (const RealRoot& torsal : span.torsal) {
     if (torsal.multiplicity == 1) continue;
     throw GeometryError(
         ErrorCode::kDevelopable,
@@ -126,10 +130,10 @@ void require_simple_torsal_rulings(const Span& span) {
 /// the directrices have the same normal if it is beyond them, opposite ones if it is between.
 void require_no_pinch_points(const Span& span) {
   if (!is_line_family(span)) return;
-  const Rulings& rulings = span.joined.rulings;
+  const auto& [first, second] = span.directrices;
   const std::vector<RealRoot> pinched = roots_in_unit_interval_without_positive(
-      torsion(rulings),
-      contact_product(span.directrices[0].spheres, span.directrices[1].spheres, rulings.direction));
+      span.normal.torsion,
+      contact_product(first.spheres, second.spheres, span.joined.rulings.direction));
   if (pinched.empty()) return;
   throw GeometryError(ErrorCode::kPinched,
                       "The surface has a pinch point on the ruling at parameter " +
@@ -142,8 +146,6 @@ SpanPlace place_of(const std::vector<Span>& spans, std::size_t i, bool closed) {
   return {spans[i].end() - spans[i].begin(), i > 0 || closed, i + 1 < spans.size() || closed};
 }
 
-bool is_developable(const Span& span) { return torsion(span.joined.rulings).is_zero(); }
-
 GeometryError not_rational(const Span& span) {
   return {ErrorCode::kDevelopable,
           "The surface is developable at " + interval(span) +
@@ -152,9 +154,8 @@ GeometryError not_rational(const Span& span) {
               "exact."};
 }
 
-void require_rulings(const Span& span) {
+void require_regular_rulings(const Span& span) {
   if (is_developable(span)) return;
-  require_cones(span);
   require_simple_torsal_rulings(span);
   require_no_pinch_points(span);
 }
@@ -163,8 +164,7 @@ void require_rulings(const Span& span) {
 std::vector<double> torsal_parameters(const Span& span, const SpanPlace& place) {
   if (is_developable(span)) return {};
   const auto [low, high] = torsal_range(place);
-  const RationalPolynomial in_range =
-      torsal_polynomial(span.joined.rulings).on_interval(low, high - low);
+  const RationalPolynomial in_range = torsal_polynomial(span.normal).on_interval(low, high - low);
   std::vector<double> parameters;
   for (const RealRoot& root : roots_in_unit_interval(in_range)) {
     const double local = low.to_double() + root.value.midpoint() * (high - low).to_double();
@@ -217,11 +217,6 @@ std::vector<Rational> cuts_around_torsal_rulings(const std::vector<Span>& spans,
   return cuts;
 }
 
-bool has_torsal_ruling(const Span& span) {
-  if (is_developable(span)) return false;
-  return !roots_in_unit_interval(torsal_polynomial(span.joined.rulings)).empty();
-}
-
 /// Speeds that differ by no more than this part are one: the rounding of poles and weights, some
 /// hundred units in the last place. The gap is counted in the deviation.
 constexpr double kRoundingOfSpeeds = 1e-12;
@@ -258,7 +253,7 @@ Joint joint_between(const Span& left, const Span& right) {
   const auto& [a, b] = left.directrices;
   const auto& [c, d] = right.directrices;
   if (meets(a, c, 2) && meets(b, d, 2) && meets(directions(left), directions(right), 2) &&
-      !has_torsal_ruling(left) && !has_torsal_ruling(right)) {
+      left.torsal.empty() && right.torsal.empty()) {
     return Joint::kSmooth;
   }
   if (runs_on(a, c) && runs_on(b, d)) return Joint::kTangent;
@@ -274,14 +269,22 @@ bool is_closed(const std::vector<Span>& spans) {
          runs_on(spans.back().directrices[1], spans.front().directrices[1]);
 }
 
+Span span_between(const SphereSpan& first, const SphereSpan& second) {
+  Span span{{first, second}, joined(first.spheres, second.spheres), {}, {}, {}};
+  require_length(span);
+  span.rulings = with_least_denominator(span.joined.rulings);
+  span.normal = ruling_normal(span.joined.rulings);
+  if (is_developable(span)) return span;
+  require_cones(span);
+  span.torsal = roots_in_unit_interval(torsal_polynomial(span.normal));
+  return span;
+}
+
 std::vector<Span> spans_between(const std::vector<SphereSpan>& first,
                                 const std::vector<SphereSpan>& second) {
   std::vector<Span> spans(first.size());
-  for_each_index(spans.size(), [&](std::size_t i) {
-    spans[i] = {{first[i], second[i]}, joined(first[i].spheres, second[i].spheres), {}};
-    require_length(spans[i]);
-    spans[i].rulings = with_least_denominator(spans[i].joined.rulings);
-  });
+  for_each_index(spans.size(),
+                 [&](std::size_t i) { spans[i] = span_between(first[i], second[i]); });
   return spans;
 }
 
@@ -402,7 +405,7 @@ std::vector<SphereSpan> moved(std::vector<SphereSpan> spans, const std::vector<R
 EnvelopeChain ruled_surface(const SphereCurve& first, const SphereCurve& second) {
   const Rational zero(0), one(1);
   const std::vector<Span> spans = spans_between({{first, zero, one}}, {{second, zero, one}});
-  require_rulings(spans.front());
+  require_regular_rulings(spans.front());
   return chain_of(spans);
 }
 
@@ -422,7 +425,7 @@ EnvelopeChain cone_envelope(const Curve& first_centres, const Law& first_radii,
   };
   const std::vector<Rational> breaks = united_breaks(a, mapped(b, a));
   const std::vector<Span> spans = spans_over(breaks);
-  for_each_index(spans.size(), [&](std::size_t i) { require_rulings(spans[i]); });
+  for_each_index(spans.size(), [&](std::size_t i) { require_regular_rulings(spans[i]); });
   const bool closed = is_closed(spans);
   std::vector<Rational> cuts = cuts_between_torsal_rulings(spans, closed);
   const std::vector<Rational> around = cuts_around_torsal_rulings(spans, closed);
