@@ -17,7 +17,6 @@
 #include <optional>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "pn/algebra/double_word_ball.hpp"
 #include "pn/algebra/rational.hpp"
@@ -153,9 +152,6 @@ RealBall sqrt(const RealBall& x);
 RealBall abs(const RealBall& x);
 /// x 2^exponent, exactly.
 RealBall scaled(const RealBall& x, long exponent);
-/// The numbers times the power of two with which the largest midpoint is in [1/2, 1): homogeneous
-/// coordinates that may be too large for doubles.
-std::vector<RealBall> normalized(std::vector<RealBall> numbers);
 
 class ComplexBall {
  public:
@@ -212,16 +208,5 @@ class ComplexBall {
 
 /// The principal square root.
 ComplexBall sqrt(const ComplexBall& z);
-
-/// a_0 b_0 + a_1 b_1 + ..., rounded seldom: several times as fast as term by term. (F. Johansson,
-/// Faster arbitrary-precision dot product and matrix multiplication, ARITH 26, 2019.)
-RealBall dot(const std::vector<RealBall>& a, const std::vector<RealBall>& b);
-
-/// sum_k += a_0 b_k + a_1 b_(k-1) + ... + a_k b_0, rounded likewise: a product of polynomials, or
-/// as many of its coefficients as the sum has. Neither factor is empty.
-void add_product(std::vector<RealBall>& sum, const std::vector<RealBall>& a,
-                 const std::vector<RealBall>& b);
-void add_product(std::vector<ComplexBall>& sum, const std::vector<ComplexBall>& a,
-                 const std::vector<ComplexBall>& b);
 
 }  // namespace pn

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pn/algebra/bernstein.hpp"
 
+#include "pn/algebra/ball_vector.hpp"
+
 namespace pn {
 
 BernsteinOfBalls::BernsteinOfBalls(int degree, long precision) {

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "pn/algebra/ball.hpp"
+#include "pn/algebra/ball_vector.hpp"
 
 namespace pn {
 
@@ -34,7 +34,7 @@ inline void add_product(ComplexBall& sum, const ComplexBall& a, const ComplexBal
 }
 inline void add_product(Rational& sum, const Rational& a, const Rational& b) { sum += a * b; }
 
-/// The same of polynomials by their coefficients; of balls in ball.hpp.
+/// The same of polynomials by their coefficients; of balls in ball_vector.hpp.
 template <class T>
 void add_product(std::vector<T>& sum, const std::vector<T>& a, const std::vector<T>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {

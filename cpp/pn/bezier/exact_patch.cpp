@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "pn/algebra/ball_vector.hpp"
 #include "pn/algebra/parallel.hpp"
 #include "pn/algebra/roots.hpp"
 

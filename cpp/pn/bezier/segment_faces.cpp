@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "pn/algebra/ball_vector.hpp"
 #include "pn/algebra/bernstein.hpp"
 #include "pn/algebra/memo.hpp"
 #include "pn/algebra/parallel.hpp"

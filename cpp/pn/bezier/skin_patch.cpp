@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pn/algebra/ball_vector.hpp"
+
 namespace pn {
 namespace {
 
