@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "pn/algebra/ball_vector.hpp"
+
 using pn::Rational;
 using pn::RealBall;
 

@@ -126,6 +126,29 @@ TEST_CASE("The certificate counts what rounded weights move", "[section_net]") {
   CHECK(sqrt(squares).upper() <= rounded.deviation);
 }
 
+TEST_CASE("Weights rounded up at one end and down at the other move the middle by the bound",
+          "[section_net]") {
+  FaceNet face;
+  face.frame.u_degree = face.frame.v_degree = 1;
+  face.frame.u_knots = face.frame.v_knots = {0, 1};
+  face.frame.u_multiplicities = face.frame.v_multiplicities = {2, 2};
+  face.stands_still = false;
+  // Nearly half-way between neighbouring doubles.
+  const Rational unit = Rational::exactly(0x1p-52), part = Rational(499L) / Rational(1000L) * unit;
+  const RealBall weights[] = {{Rational(1L) + part, 256}, {Rational(1L) + unit - part, 256}};
+  std::vector<Homogeneous> controls;
+  for (const long i : {0L, 1L, 0L, 1L}) {
+    face.poles.push_back({{RealBall(i), RealBall(0), RealBall(0)}, {}, weights[i]});
+    controls.push_back(Homogeneous{{RealBall(i), RealBall(0), RealBall(0), RealBall(1)}} *
+                       weights[i]);
+  }
+  const auto rounded = SectionNet({face}, 256).section(0).front();
+  const RealBall error = abs(enclosed_point(rounded.surface, 0.5, 0.5, 256)[0] -
+                             enclosed_point(rounded.surface, controls, 0.5, 0.5, 256)[0]);
+  CHECK(error.upper() <= rounded.deviation);
+  CHECK(error.lower() > 0.99 * rounded.deviation);
+}
+
 TEST_CASE("Normals are unit vectors on the sphere, in doubles", "[section_net]") {
   const ChainNet net(smooth_chain(), Lines::kEven, 128);
   const BSplineSurface normals = net.normals().front();

@@ -379,7 +379,7 @@ def _nearest(error_from, spine):
                 found.append(error_from(point, start))
             except ArithmeticError:  # Newton's method leads nowhere from there.
                 continue
-            if found[-1] < NEAR:
+            if found[-1] < ROUNDED:
                 break
         return min(found, default=np.inf)
 

@@ -167,7 +167,7 @@ RoundedFace rounded(const FaceNet& face, double exact_distance) {
                         "into separate parts.");
   }
   const double diameter = active_diameter(surface) + 2 * delta;
-  const double deviation = (delta + epsilon / (1 - epsilon) * diameter) * kRoundingOfBounds;
+  const double deviation = (delta + epsilon / (1 - epsilon) * diameter / 2) * kRoundingOfBounds;
   return {std::move(surface), deviation};
 }
 

@@ -7,11 +7,12 @@
 //
 // THEOREM (certificate). Let the exported surface have poles P^ and weights w^ = w (1 + e), |e| <=
 // eps < 1, |P^ - P| <= delta, over the knots of the true one. At the same parameters the two
-// surfaces differ by at most delta + eps / (1 - eps) diam, where diam bounds the distance of any
-// two true poles that are active on one knot span. Proof: x^ - x = sum l^ (P^ - P) + sum (w^ - w) B
-// (P - x) / sum w^ B, with l^ >= 0 of sum 1; the first sum is at most delta, and in the second |w^
-// - w| B <= eps w B, |P - x| <= diam since x is a mean of the active poles, and sum w B / sum w^ B
-// <= 1 / (1 - eps).
+// surfaces differ by at most delta + eps / (1 - eps) diam / 2, where diam bounds the distance of
+// any two true poles that are active on one knot span. Proof: x^ - x = sum l^ (P^ - P) + sum (w^ -
+// w) B (P - x) / sum w^ B, with l^ >= 0 of sum 1. The first sum is at most delta. The second is sum
+// l e (P - x) times sum w B / sum w^ B <= 1 / (1 - eps), with l = w B / sum w B; along any
+// direction it is at most eps times the mean deviation of the P from their mean x, which is at most
+// half of what they spread over.
 //
 // The bound is on the distance between corresponding points, so it also bounds the distance of the
 // exported surface to the true envelope. It covers all rounding on export; the balls cover all
