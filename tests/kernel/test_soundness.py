@@ -15,7 +15,7 @@ from soundness import SHAPES
 
 SURFACES = int(os.environ.get("PN_SOUNDNESS_SURFACES", "2000"))
 BLOCK = 20  # surfaces of one test
-POINTS = (3, 6, 18, 54, 162, 486, 1458)  # more are tried only while the bound seems idle
+POINTS = (3, 6, 18, 54, 162, 486, 1458, 4374)  # more are tried only while the bound seems idle
 IDLE = 100  # times the largest error that was seen
 # Surfaces of the long run with a looser bound, by shape and seed: poles far beyond the surface, whose
 # rounding the bound counts in full and the surface hardly.
