@@ -35,6 +35,16 @@ EnvelopeChain mended_chain() {
       Law::constant(0.1));
 }
 
+/// A bilinear face, still without its four poles.
+FaceNet bilinear_face() {
+  FaceNet face;
+  face.frame.u_degree = face.frame.v_degree = 1;
+  face.frame.u_knots = face.frame.v_knots = {0, 1};
+  face.frame.u_multiplicities = face.frame.v_multiplicities = {2, 2};
+  face.stands_still = false;
+  return face;
+}
+
 }  // namespace
 
 TEST_CASE("Every weight is positive and every pole is known to the last place", "[section_net]") {
@@ -103,11 +113,7 @@ TEST_CASE("The certificate bounds the distance to the surface of the net itself"
 
 TEST_CASE("The certificate counts what rounded weights move", "[section_net]") {
   // Poles that are doubles, and weights that are none.
-  FaceNet face;
-  face.frame.u_degree = face.frame.v_degree = 1;
-  face.frame.u_knots = face.frame.v_knots = {0, 1};
-  face.frame.u_multiplicities = face.frame.v_multiplicities = {2, 2};
-  face.stands_still = false;
+  FaceNet face = bilinear_face();
   std::vector<Homogeneous> controls;
   for (const long i : {0L, 1L, 2L, 3L}) {
     const RealBall weight(Rational(1L) / Rational(3 + 2 * i), 256);
@@ -128,11 +134,7 @@ TEST_CASE("The certificate counts what rounded weights move", "[section_net]") {
 
 TEST_CASE("Weights rounded up at one end and down at the other move the middle by the bound",
           "[section_net]") {
-  FaceNet face;
-  face.frame.u_degree = face.frame.v_degree = 1;
-  face.frame.u_knots = face.frame.v_knots = {0, 1};
-  face.frame.u_multiplicities = face.frame.v_multiplicities = {2, 2};
-  face.stands_still = false;
+  FaceNet face = bilinear_face();
   // Nearly half-way between neighbouring doubles.
   const Rational unit = Rational::exactly(0x1p-52), part = Rational(499L) / Rational(1000L) * unit;
   const RealBall weights[] = {{Rational(1L) + part, 256}, {Rational(1L) + unit - part, 256}};
